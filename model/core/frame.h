@@ -1,0 +1,130 @@
+// A whole frame through the three units: the functional model.
+#pragma once
+
+#include <vector>
+
+#include "model/core/interp.h"
+#include "model/core/setup.h"
+#include "model/core/traversal.h"
+
+namespace pineda::core {
+
+/// The frame's memories, row-major, top row first. Only samples inside the frame exist.
+struct FrameBuffer {
+  int width = 0;
+  int height = 0;
+  int attributes = 0;
+  std::vector<uint32_t> depth;  // codes, cleared to the greatest
+  std::vector<uint16_t> color;  // `attributes` values a sample, cleared to 0
+  std::vector<uint16_t> hits;   // triangles that cover the sample, saturating at 65535
+
+  FrameBuffer() = default;
+  FrameBuffer(const spec::Contract& contract, const spec::FrameState& frame);
+  void clear(const spec::Contract& contract);
+
+  /// Depth codes of a stamp at the lanes of `mask`; 0 in the others.
+  spec::DepthData read(const spec::Contract& contract, int x, int y, uint32_t mask) const;
+  void write(const spec::Contract& contract, const spec::DepthWrite& write);
+  void write(const spec::Contract& contract, const spec::ColorWrite& write);
+  void count_hits(const spec::Contract& contract, const spec::Stamp& stamp);
+};
+
+/// What happened to the triangles and samples of a frame.
+struct FrameCounters {
+  uint64_t triangles = 0;
+  std::array<uint64_t, kDropCauses> dropped{};  // by Drop
+  uint64_t tiles_tested = 0;
+  uint64_t tiles_rejected = 0;
+  uint64_t tiles_accepted = 0;  // all three edges accept
+  uint64_t stamps = 0;          // sent, so not empty
+  uint64_t fragments = 0;       // covered samples sent
+  uint64_t passed = 0;          // samples written
+};
+
+/// Draws triangles one by one. With a Sink, hands over each token at each unit boundary in order:
+/// sink.prim(SetupPrim), sink.stamp(Stamp), sink.depth(DepthWrite), sink.color(ColorWrite).
+class Renderer {
+ public:
+  Renderer(const spec::Contract& contract, const spec::FrameState& frame)
+      : contract_(contract), frame_(frame), buffer_(contract, frame) {}
+
+  const spec::Contract& contract() const { return contract_; }
+  const spec::FrameState& frame() const { return frame_; }
+  const FrameBuffer& buffer() const { return buffer_; }
+  const FrameCounters& counters() const { return counters_; }
+
+  void clear() {
+    buffer_.clear(contract_);
+    counters_ = {};
+  }
+
+  template <class Sink>
+  Drop draw(const spec::Triangle& triangle, Sink&& sink);
+  Drop draw(const spec::Triangle& triangle);
+
+ private:
+  template <class Sink>
+  void draw_stamp(const spec::Stamp& stamp, Sink&& sink);
+
+  spec::Contract contract_;
+  spec::FrameState frame_;
+  FrameBuffer buffer_;
+  FrameCounters counters_;
+};
+
+template <class Sink>
+Drop Renderer::draw(const spec::Triangle& triangle, Sink&& sink) {
+  spec::SetupPrim prim;
+  const Drop drop = setup(contract_, frame_, triangle, &prim);
+  ++counters_.triangles;
+  ++counters_.dropped[static_cast<size_t>(drop)];
+  if (drop != Drop::kNone) return drop;
+  sink.prim(prim);
+
+  TileWalk tiles(contract_, prim);
+  Tile tile;
+  spec::Stamp stamp;
+  for (TileWalk::Test test; (test = tiles.next(&tile)) != TileWalk::Test::kEnd;) {
+    ++counters_.tiles_tested;
+    if (test == TileWalk::Test::kRejected) {
+      ++counters_.tiles_rejected;
+      continue;
+    }
+    counters_.tiles_accepted += tile.accepted == 7 ? 1 : 0;
+    stamp.id = tile.id;
+    stamp.planes = tile.planes;
+    StampWalk stamps(contract_, tile);
+    while (stamps.next(&stamp.mask, &stamp.x, &stamp.y)) {
+      if (stamp.mask != 0) draw_stamp(stamp, sink);
+    }
+  }
+  return drop;
+}
+
+template <class Sink>
+void Renderer::draw_stamp(const spec::Stamp& stamp, Sink&& sink) {
+  sink.stamp(stamp);
+  buffer_.count_hits(contract_, stamp);
+  ++counters_.stamps;
+  counters_.fragments += static_cast<uint64_t>(__builtin_popcount(stamp.mask));
+  spec::Fragment fragment;
+  interpolate(contract_, stamp, &fragment);
+  uint32_t passed = stamp.mask;
+  const bool test = frame_.depth != spec::DepthFunc::kOff;
+  if (test) {
+    const auto stored = buffer_.read(contract_, stamp.x, stamp.y, stamp.mask);
+    passed = depth_test(contract_, frame_.depth, stamp.mask, fragment.z, stored.z);
+  }
+  if (passed == 0) return;
+  counters_.passed += static_cast<uint64_t>(__builtin_popcount(passed));
+  if (test) {
+    const auto write = depth_write(contract_, stamp, fragment, passed);
+    sink.depth(write);
+    buffer_.write(contract_, write);
+  }
+  const auto write = color_write(contract_, stamp, fragment, passed);
+  sink.color(write);
+  buffer_.write(contract_, write);
+}
+
+}  // namespace pineda::core

@@ -1,0 +1,141 @@
+#include "model/core/traversal.h"
+
+#include <algorithm>
+
+namespace pineda::core {
+
+using spec::Contract;
+using spec::Plane;
+using spec::round_half_up;
+using spec::SetupPrim;
+using spec::wrap;
+
+TileWalk::TileWalk(const Contract& contract, const SetupPrim& prim)
+    : contract_(contract),
+      prim_(prim),
+      x_(prim.x0 >> contract.design.tile_log2),
+      y_(prim.y0 >> contract.design.tile_log2),
+      first_x_(x_),
+      last_x_(prim.x1 >> contract.design.tile_log2),
+      last_y_(prim.y1 >> contract.design.tile_log2),
+      planes_(prim.planes) {
+  for (size_t i = 0; i < 3; ++i) edge_[i] = row_edge_[i] = prim.edge[i].e;
+  row_ref_[0] = prim.planes.z.ref;
+  for (size_t i = 0; i < spec::kMaxAttributes; ++i) row_ref_[i + 1] = prim.planes.attr[i].ref;
+}
+
+TileWalk::Test TileWalk::next(Tile* tile) {
+  if (y_ > last_y_) return Test::kEnd;
+  const int64_t span = (1 << contract_.design.tile_log2) - 1;  // first to last sample of a tile
+  bool rejected = false;
+  uint32_t accepted = 0;
+  for (size_t i = 0; i < 3; ++i) {
+    const int64_t a = span * prim_.edge[i].a;
+    const int64_t b = span * prim_.edge[i].b;
+    const int64_t zero = 0;
+    rejected |= edge_[i] + std::max(a, zero) + std::max(b, zero) < 0;
+    const bool accepts = edge_[i] + std::min(a, zero) + std::min(b, zero) >= 0;
+    accepted |= static_cast<uint32_t>(accepts) << i;
+  }
+  if (!rejected) {
+    tile->accepted = accepted;
+    fill(tile);
+  }
+  step();
+  return rejected ? Test::kRejected : Test::kKept;
+}
+
+void TileWalk::fill(Tile* tile) const {
+  const int log2 = contract_.design.tile_log2;
+  const int last = (1 << log2) - 1;
+  tile->id = prim_.id;
+  tile->x = x_;
+  tile->y = y_;
+  tile->x0 = std::max(prim_.x0 - (x_ << log2), 0);
+  tile->y0 = std::max(prim_.y0 - (y_ << log2), 0);
+  tile->x1 = std::min(prim_.x1 - (x_ << log2), last);
+  tile->y1 = std::min(prim_.y1 - (y_ << log2), last);
+  for (size_t i = 0; i < 3; ++i)
+    tile->edge[i] = {prim_.edge[i].a, prim_.edge[i].b, wrap(edge_[i], contract_.width.tile_edge)};
+
+  const int shift = contract_.design.gradient_fraction_bits - contract_.design.tile_fraction_bits;
+  const auto narrow = [shift](const Plane& p, int bits) {
+    return Plane{wrap(round_half_up(p.dx, shift), bits), wrap(round_half_up(p.dy, shift), bits),
+                 wrap(round_half_up(p.ref, shift), bits)};
+  };
+  tile->planes.z = narrow(planes_.z, contract_.width.depth_tile_plane);
+  for (size_t i = 0; i < static_cast<size_t>(contract_.design.attributes); ++i) {
+    tile->planes.attr[i] = narrow(planes_.attr[i], contract_.width.attr_tile_plane);
+  }
+}
+
+void TileWalk::step() {
+  const int log2 = contract_.design.tile_log2;
+  const auto attributes = static_cast<size_t>(contract_.design.attributes);
+  const int z_bits = contract_.width.depth_plane;
+  const int attr_bits = contract_.width.attr_plane;
+  if (x_ < last_x_) {
+    ++x_;
+    for (size_t i = 0; i < 3; ++i) edge_[i] += prim_.edge[i].a * (int64_t{1} << log2);
+    const auto across = [log2](Plane* p, int bits) {
+      p->ref = wrap(p->ref + p->dx * (int64_t{1} << log2), bits);
+    };
+    across(&planes_.z, z_bits);
+    for (size_t i = 0; i < attributes; ++i) across(&planes_.attr[i], attr_bits);
+    return;
+  }
+  x_ = first_x_;
+  ++y_;
+  for (size_t i = 0; i < 3; ++i) {
+    row_edge_[i] += prim_.edge[i].b * (int64_t{1} << log2);
+    edge_[i] = row_edge_[i];
+  }
+  const auto down = [log2](Plane* p, int64_t* row, int bits) {
+    p->ref = *row = wrap(*row + p->dy * (int64_t{1} << log2), bits);
+  };
+  down(&planes_.z, &row_ref_[0], z_bits);
+  for (size_t i = 0; i < attributes; ++i) down(&planes_.attr[i], &row_ref_[i + 1], attr_bits);
+}
+
+StampWalk::StampWalk(const Contract& contract, const Tile& tile)
+    : contract_(contract),
+      tile_(tile),
+      first_x_(tile.x0 >> contract.design.stamp_width_log2),
+      last_x_(tile.x1 >> contract.design.stamp_width_log2),
+      last_y_(tile.y1 >> contract.design.stamp_height_log2),
+      x_(first_x_),
+      y_(tile.y0 >> contract.design.stamp_height_log2) {}
+
+int StampWalk::tests() const {
+  const int first_y = tile_.y0 >> contract_.design.stamp_height_log2;
+  return (last_x_ - first_x_ + 1) * (last_y_ - first_y + 1);
+}
+
+bool StampWalk::next(uint32_t* mask, int* x, int* y) {
+  if (y_ > last_y_) return false;
+  const int w_log2 = contract_.design.stamp_width_log2;
+  const int h_log2 = contract_.design.stamp_height_log2;
+  uint32_t bits = 0;
+  for (int lane = 0; lane < contract_.width.lanes; ++lane) {
+    const int px = (x_ << w_log2) + (lane & ((1 << w_log2) - 1));
+    const int py = (y_ << h_log2) + (lane >> w_log2);
+    bool inside = px >= tile_.x0 && px <= tile_.x1 && py >= tile_.y0 && py <= tile_.y1;
+    for (size_t i = 0; i < 3; ++i) {
+      const auto& edge = tile_.edge[i];
+      inside &= (tile_.accepted >> i & 1) != 0 || edge.e + px * edge.a + py * edge.b >= 0;
+    }
+    bits |= static_cast<uint32_t>(inside) << lane;
+  }
+  *mask = bits;
+  *x = (tile_.x << (contract_.design.tile_log2 - w_log2)) + x_;
+  *y = (tile_.y << (contract_.design.tile_log2 - h_log2)) + y_;
+  if (x_ < last_x_) {
+    ++x_;
+  } else {
+    x_ = first_x_;
+    ++y_;
+  }
+  return true;
+}
+
+}  // namespace pineda::core

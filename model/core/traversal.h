@@ -1,0 +1,57 @@
+// Traversal: the tiles of a triangle's box, then the stamps of each tile that is not rejected.
+#pragma once
+
+#include "model/spec/structs.h"
+
+namespace pineda::core {
+
+using spec::Tile;
+
+/// Walks the tiles of a triangle's box, row by row from the top, each from the left.
+///
+/// Bits     the definition. A tile is rejected when one edge is negative at that edge's best
+///          corner sample, and an edge accepts a tile when it is >= 0 at its worst corner sample.
+/// In       a SetupPrim.
+/// Out      next(): one tile test a call; *tile is written when the tile is kept.
+/// Twin     rtl/traversal_unit.sv (one test a cycle).
+class TileWalk {
+ public:
+  enum class Test { kRejected, kKept, kEnd };
+
+  TileWalk(const spec::Contract& contract, const spec::SetupPrim& prim);
+  Test next(Tile* tile);
+
+ private:
+  void fill(Tile* tile) const;
+  void step();
+
+  const spec::Contract& contract_;
+  const spec::SetupPrim& prim_;
+  int x_, y_;    // the tile that next() tests
+  int first_x_;  // first and last column, last row
+  int last_x_, last_y_;
+  std::array<int64_t, 3> edge_{}, row_edge_{};  // E' at the first sample of the tile, of its row
+  spec::PlaneSet planes_;                       // ref is stepped; dx, dy stay
+  std::array<int64_t, spec::kMaxAttributes + 1> row_ref_{};
+};
+
+/// Walks the stamps of a tile inside the box, row by row from the top, each from the left.
+///
+/// Out      next(): one stamp test a call; false when the tile is done. An empty stamp (*mask = 0)
+///          is tested but not sent.
+class StampWalk {
+ public:
+  StampWalk(const spec::Contract& contract, const Tile& tile);
+  bool next(uint32_t* mask, int* x, int* y);  // x, y: column and row of the stamp in the frame
+
+  /// Stamp tests in the whole tile: the cycles it takes.
+  int tests() const;
+
+ private:
+  const spec::Contract& contract_;
+  const Tile& tile_;
+  int first_x_, last_x_, last_y_;  // stamps, from the tile's corner
+  int x_, y_;
+};
+
+}  // namespace pineda::core

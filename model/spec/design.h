@@ -1,0 +1,57 @@
+// A design point is data: every choice an architect makes, and nothing derived.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pineda::spec {
+
+/// Parameters of one rasterizer. widths() derives every width from them; see widths.h.
+/// A plain aggregate: named designs are constexpr, others can be read from a file.
+struct Design {
+  const char* name = "high_tile";
+  const char* summary = "default: error at the rounding limit, in-tile steps of 8 fraction bits";
+
+  // Coordinates
+  int subpixel_bits = 8;  // S: x, y are multiples of 2^-S px
+  int guard_bits = 14;    // vertices lie in [-2^guard_bits, 2^guard_bits) px
+
+  // What is interpolated
+  int depth_bits = 24;
+  int attributes = 4;  // r, g, b, a
+  int attribute_bits = 8;
+
+  // Reciprocal of the doubled area: a ROM of 2^lut_bits entries, then Newton steps
+  int reciprocal_lut_bits = 7;
+  int reciprocal_newton_steps = 2;
+  int reciprocal_bits = 30;  // k
+
+  // Planes
+  int gradient_fraction_bits = 18;  // F: gradients, references, steps from tile to tile
+  int tile_fraction_bits = 8;       // F': steps inside a tile
+
+  // Traversal
+  int tile_log2 = 3;  // tiles of 2^tile_log2 px square
+  int stamp_width_log2 = 1;
+  int stamp_height_log2 = 1;
+
+  // Buffers
+  int prim_fifo_depth = 4;            // setup -> traversal
+  int tile_fifo_depth = 2;            // inside traversal: tile test -> stamps
+  int stamp_fifo_depth = 4;           // traversal -> interpolation
+  int depth_latency_cycles = 8;       // default of the depth memory, request accepted -> response
+  int max_depth_latency_cycles = 64;  // the longest at which a stamp a cycle is still kept up
+};
+
+inline constexpr Design kHighTile{};
+
+/// The design points this build knows by name.
+const std::vector<Design>& designs();
+
+/// The named design, or nullptr.
+const Design* find_design(const std::string& name);
+
+/// Empty if the design can be built, else the reason why not, in one line.
+std::string invalid_reason(const Design& design);
+
+}  // namespace pineda::spec

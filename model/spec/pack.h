@@ -1,0 +1,72 @@
+// Packs a struct into the bits of its SystemVerilog packed struct and back, by its table.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/spec/fields.h"
+
+namespace pineda::spec {
+
+/// A packed struct: bit i is bit i%32 of word i/32. The first field lies at the top.
+using Packed = std::vector<uint32_t>;
+
+/// Reads `bits` (1 to 64) bits from bit `position` on, zero-extended.
+uint64_t get_bits(const uint32_t* words, int position, int bits);
+
+/// Writes the low `bits` bits of `value`; leaves all other bits as they are.
+void set_bits(uint32_t* words, int position, int bits, uint64_t value);
+
+/// Packs and unpacks T by its table. The table is looked up once, when the packer is made.
+template <class T>
+class Packer {
+ public:
+  explicit Packer(const Contract& c) : contract_(c), table_(fields<T>(c)) {
+    bits_ = packed_bits(table_);
+  }
+
+  int bits() const { return bits_; }
+  int words() const { return (bits_ + 31) / 32; }
+  const std::vector<Field<T>>& table() const { return table_; }
+
+  /// `words` holds words() zeroed or stale words; all of them are written.
+  void pack(const T& value, uint32_t* words) const {
+    for (int i = 0; i < this->words(); ++i) words[i] = 0;
+    int position = bits_;
+    for (const auto& field : table_) {
+      position -= field.bits * field.count;
+      for (int i = 0; i < field.count; ++i) {
+        set_bits(words, position + i * field.bits, field.bits,
+                 static_cast<uint64_t>(field.get(contract_, value, i)));
+      }
+    }
+  }
+
+  T unpack(const uint32_t* words) const {
+    T value{};
+    int position = bits_;
+    for (const auto& field : table_) {
+      position -= field.bits * field.count;
+      for (int i = 0; i < field.count; ++i) {
+        const uint64_t raw = get_bits(words, position + i * field.bits, field.bits);
+        field.set(contract_, value, i,
+                  field.is_signed ? wrap(static_cast<int64_t>(raw), field.bits)
+                                  : static_cast<int64_t>(raw));
+      }
+    }
+    return value;
+  }
+
+  Packed pack(const T& value) const {
+    Packed words(static_cast<size_t>(this->words()));
+    pack(value, words.data());
+    return words;
+  }
+
+ private:
+  Contract contract_;
+  std::vector<Field<T>> table_;
+  int bits_ = 0;
+};
+
+}  // namespace pineda::spec

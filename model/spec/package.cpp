@@ -1,0 +1,190 @@
+#include "model/spec/package.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "model/spec/fields.h"
+#include "model/spec/reciprocal_rom.h"
+
+namespace pineda::spec {
+namespace {
+
+struct Constant {
+  const char* name;
+  int value;
+  const char* meaning;
+};
+
+std::vector<Constant> constants(const Contract& c) {
+  const Design& d = c.design;
+  const Widths& w = c.width;
+  return {
+      {"SUBPIXEL_BITS", d.subpixel_bits, "S: x, y are multiples of 2^-S px"},
+      {"COORD_BITS", w.coord, "x, y"},
+      {"EDGE_COEFF_BITS", w.edge_coeff, "a, b"},
+      {"AREA2_BITS", w.area2, "doubled area, E"},
+      {"EDGE_BITS", w.edge, "E' = (E - bias) >> S"},
+      {"TILE_EDGE_BITS", w.tile_edge, "E' of an edge that cuts the tile"},
+      {"AREA2_LENGTH_BITS", w.area2_length, "bit length of the doubled area"},
+      {"DEPTH_BITS", d.depth_bits, "a depth code"},
+      {"DEPTH_INPUT_FRACTION_BITS", kDepthInputFractionBits, "fraction of a vertex's z"},
+      {"DEPTH_IN_BITS", w.depth_in, "a vertex's z"},
+      {"DEPTH_NUMERATOR_BITS", w.depth_numerator, "gradient numerator of z"},
+      {"DEPTH_PLANE_BITS", w.depth_plane, "gradient, reference, accumulator of z"},
+      {"DEPTH_TILE_PLANE_BITS", w.depth_tile_plane, "the same inside a tile"},
+      {"ATTRIBUTES", d.attributes, "attributes of a vertex"},
+      {"ATTR_BITS", d.attribute_bits, "one attribute"},
+      {"ATTR_NUMERATOR_BITS", w.attr_numerator, "gradient numerator of an attribute"},
+      {"ATTR_PLANE_BITS", w.attr_plane, "gradient, reference, accumulator of an attribute"},
+      {"ATTR_TILE_PLANE_BITS", w.attr_tile_plane, "the same inside a tile"},
+      {"RECIPROCAL_BITS", d.reciprocal_bits, "k: mantissa of 1/area2"},
+      {"RECIPROCAL_LUT_BITS", d.reciprocal_lut_bits, "index of the ROM"},
+      {"RECIPROCAL_ROM_BITS", reciprocal_rom_bits(d), "entry of the ROM, leading 1 implied"},
+      {"RECIPROCAL_NEWTON_STEPS", d.reciprocal_newton_steps, ""},
+      {"GRADIENT_FRACTION_BITS", d.gradient_fraction_bits, "F"},
+      {"TILE_FRACTION_BITS", d.tile_fraction_bits, "F': inside a tile"},
+      {"TILE_LOG2", d.tile_log2, "tile side, log2 px"},
+      {"STAMP_WIDTH_LOG2", d.stamp_width_log2, "log2 px"},
+      {"STAMP_HEIGHT_LOG2", d.stamp_height_log2, "log2 px"},
+      {"LANES", w.lanes, "samples of a stamp"},
+      {"FRAME_SIZE_BITS", w.frame_size, "width, height of a frame"},
+      {"PIXEL_BITS", w.pixel, "pixel column or row"},
+      {"TILE_INDEX_BITS", w.tile_index, "tile column or row"},
+      {"STAMP_X_BITS", w.stamp_x, "stamp column"},
+      {"STAMP_Y_BITS", w.stamp_y, "stamp row"},
+      {"SETUP_PLANES_STEP", w.setup_planes_step, "step of setup in which the first plane starts"},
+      {"SETUP_INTERVAL_CYCLES", w.setup_interval_cycles, "a triangle every so many cycles"},
+      {"PRIM_FIFO_DEPTH", d.prim_fifo_depth, "setup -> traversal"},
+      {"TILE_FIFO_DEPTH", d.tile_fifo_depth, "tile test -> stamps"},
+      {"STAMP_FIFO_DEPTH", d.stamp_fifo_depth, "traversal -> interpolation"},
+      {"INFLIGHT_STAMPS", w.inflight_stamps, "stamps between read issued and write accepted"},
+  };
+}
+
+template <class T>
+std::string struct_text(const std::vector<Field<T>>& table, const char* name) {
+  std::string text = "  typedef struct packed {\n";
+  int bits = packed_bits(table);
+  for (const auto& f : table) {
+    // The triangle number is narrow in synthesis, so its width goes by name.
+    const bool is_id = std::string(f.name) == "id";
+    const std::string range = is_id ? "[ID_BITS-1:0]" : fmt::format("[{}:0]", f.bits * f.count - 1);
+    if (is_id) bits -= kTriangleIdBits;
+    const bool sign = f.is_signed && f.count == 1;
+    std::string format = format_name(f.is_signed, f.bits, f.fraction_bits, f.unit);
+    if (f.count > 1) format += fmt::format(", {} of them, the first lowest", f.count);
+    text += fmt::format("    logic {:<7}{:<16}{}; // {}\n", sign ? "signed" : "", range, f.name,
+                        is_id ? "number of the triangle" : format);
+  }
+  const bool has_id = bits != packed_bits(table);
+  std::string upper = name;
+  for (char& letter : upper) letter = static_cast<char>(std::toupper(letter));
+  return text + fmt::format("  }} {}_t;\n  localparam int unsigned {}_BITS = {}{};\n\n", name,
+                            upper, has_id ? "ID_BITS + " : "", bits);
+}
+
+std::string rom_text(const Design& d) {
+  std::string text = fmt::format(
+      "  // First guess of 1/(2m), m = 0.1<index>...: value (2^{0} + entry) / 2^{1}.\n"
+      "  function automatic logic [RECIPROCAL_ROM_BITS-1:0] reciprocal_rom(\n"
+      "      input logic [RECIPROCAL_LUT_BITS-1:0] index);\n    case (index)\n",
+      reciprocal_rom_bits(d), reciprocal_rom_bits(d) + 1);
+  const int entries = 1 << d.reciprocal_lut_bits;
+  for (int i = 0; i < entries; ++i) {
+    const std::string label =
+        i + 1 == entries ? "default" : fmt::format("{}'d{}", d.reciprocal_lut_bits, i);
+    text += fmt::format("      {}: reciprocal_rom = {}'d{};\n", label, reciprocal_rom_bits(d),
+                        reciprocal_rom(d, i));
+  }
+  return text + "    endcase\n  endfunction\n";
+}
+
+}  // namespace
+
+std::string package_text(const Contract& c) {
+  std::string text = fmt::format(
+      "// Generated from model/spec for the design {}. Do not edit: change model/spec and run\n"
+      "// `cmake --build build --target package`.\n"
+      "package pineda_pkg;\n\n",
+      c.design.name);
+  for (const auto& k : constants(c)) {
+    text += fmt::format("  localparam int unsigned {:<26}= {};", k.name, k.value);
+    text += *k.meaning != '\0' ? fmt::format(" // {}\n", k.meaning) : "\n";
+  }
+  text += fmt::format(
+      "\n  // The triangle number only travels in simulation.\n"
+      "`ifdef SYNTHESIS\n  localparam int unsigned ID_BITS = 1;\n"
+      "`else\n  localparam int unsigned ID_BITS = {};\n`endif\n\n",
+      kTriangleIdBits);
+  const auto code = [&](const char* name, int value) {
+    text += fmt::format("  localparam logic [1:0] {:<13}= 2'd{};\n", name, value);
+  };
+  code("CULL_NONE", static_cast<int>(Cull::kNone));
+  code("CULL_BACK", static_cast<int>(Cull::kBack));
+  code("CULL_FRONT", static_cast<int>(Cull::kFront));
+  code("DEPTH_LESS", static_cast<int>(DepthFunc::kLess));
+  code("DEPTH_LEQUAL", static_cast<int>(DepthFunc::kLequal));
+  code("DEPTH_OFF", static_cast<int>(DepthFunc::kOff));
+  text += "\n";
+  for_each_struct(c,
+                  [&](const auto& table, const char* name) { text += struct_text(table, name); });
+  return text + rom_text(c.design) + "\nendpackage\n";
+}
+
+std::string loopback_text(const Contract& c) {
+  std::string ports;
+  std::string body;
+  for_each_struct(c, [&](const auto& table, const std::string& name) {
+    ports +=
+        fmt::format("  input  pineda_pkg::{0}_t {0}_i,\n  output pineda_pkg::{0}_t {0}_o,\n", name);
+    for (const auto& f : table) {
+      const int bits = f.bits * f.count;
+      ports += fmt::format("  input  logic [{0}:0] {1}_{2}_i,\n  output logic [{0}:0] {1}_{2}_o,\n",
+                           bits - 1, name, f.name);
+      body += fmt::format("  assign {0}_{1}_o = {0}_i.{1};\n  assign {0}_o.{1} = {0}_{1}_i;\n",
+                          name, f.name);
+    }
+  });
+  return fmt::format(
+      "// Generated from model/spec for the design {}: every struct, field by field.\n"
+      "module loopback (\n{}  input  logic clk_i\n);\n{}endmodule\n",
+      c.design.name, ports, body);
+}
+
+std::string loopback_ports(const Contract& c) {
+  std::string text;
+  for_each_struct(c, [&](const auto& table, const std::string& name) {
+    text += fmt::format("PORT({0}_i)\nPORT({0}_o)\n", name);
+    for (const auto& f : table) {
+      text += fmt::format("PORT({0}_{1}_i)\nPORT({0}_{1}_o)\n", name, f.name);
+    }
+  });
+  return text;
+}
+
+uint64_t text_hash(const std::string& text) {
+  uint64_t hash = 0xcbf29ce484222325u;
+  for (const unsigned char byte : text) hash = (hash ^ byte) * 0x100000001b3u;
+  return hash;
+}
+
+uint64_t package_hash(const Contract& c) { return text_hash(package_text(c)); }
+
+uint64_t formats_hash(const Contract& c) {
+  const Design& d = c.design;
+  std::string text = fmt::format(
+      "S{} k{} lut{} newton{} F{} f{} tile{} stamp{}x{}\n", d.subpixel_bits, d.reciprocal_bits,
+      d.reciprocal_lut_bits, d.reciprocal_newton_steps, d.gradient_fraction_bits,
+      d.tile_fraction_bits, d.tile_log2, d.stamp_width_log2, d.stamp_height_log2);
+  for_each_struct(c, [&](const auto& table, const char* name) {
+    text += fmt::format("{}\n", name);
+    for (const auto& f : table) {
+      text += fmt::format("{} {} {} {} {} {}\n", f.name, f.unit, f.is_signed, f.bits,
+                          f.fraction_bits, f.count);
+    }
+  });
+  return text_hash(text);
+}
+
+}  // namespace pineda::spec

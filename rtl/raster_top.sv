@@ -1,0 +1,132 @@
+// The rasterizer: setup -> traversal -> interpolation and depth test, one frame after the other.
+//
+// Bits     core::Renderer defines every write.
+// In       frame_i opens a frame (raster state, sampled), then its triangles, then end_valid_i
+//          closes it: taken once every write is accepted. Triangles and the end never at once.
+// Out      clear_valid_o asks the memories to clear depth to all ones and colour to zero; nothing
+//          is read before it is taken. Then depth reads, depth writes, colour writes, in order.
+// Rate     see the units. The frame's start costs 2 cycles, one to be taken and one to clear.
+// Drops    see setup_unit.
+// Errors   none. A reset in the middle of a frame leaves an idle, empty pipeline.
+// Twin     model/timing/raster_top.h.
+module raster_top (
+  input  logic                      clk_i,
+  input  logic                      rst_ni,
+
+  // Frame protocol
+  input  logic                      frame_valid_i,
+  output logic                      frame_ready_o,
+  input  pineda_pkg::frame_t        frame_i,
+  input  logic                      end_valid_i,
+  output logic                      end_ready_o,
+  output logic                      clear_valid_o,
+  input  logic                      clear_ready_i,
+  output logic                      idle_o,
+
+  // Snapped triangles
+  input  logic                      tri_valid_i,
+  output logic                      tri_ready_o,
+  input  pineda_pkg::triangle_t     tri_i,
+
+  // Depth and colour memories, addressed by stamp
+  output logic                      depth_rd_valid_o,
+  input  logic                      depth_rd_ready_i,
+  output pineda_pkg::depth_read_t   depth_rd_o,
+  input  logic                      depth_rsp_valid_i,
+  input  pineda_pkg::depth_data_t   depth_rsp_i,
+  output logic                      depth_wr_valid_o,
+  input  logic                      depth_wr_ready_i,
+  output pineda_pkg::depth_write_t  depth_wr_o,
+  output logic                      color_wr_valid_o,
+  input  logic                      color_wr_ready_i,
+  output pineda_pkg::color_write_t  color_wr_o
+);
+  localparam logic [1:0] IDLE  = 2'd0;
+  localparam logic [1:0] CLEAR = 2'd1;
+  localparam logic [1:0] RUN   = 2'd2;
+
+  logic [1:0] state_q;
+  pineda_pkg::frame_t frame_q;
+  logic drained, setup_ready;
+  logic prim_valid, prim_ready, queued_prim_valid, queued_prim_ready;
+  pineda_pkg::setup_prim_t prim, queued_prim;
+  logic stamp_valid, stamp_ready, queued_stamp_valid, queued_stamp_ready;
+  pineda_pkg::stamp_t stamp, queued_stamp;
+  logic setup_idle, traversal_idle, interp_ztest_idle;
+
+  assign frame_ready_o = state_q == IDLE;
+  assign clear_valid_o = state_q == CLEAR;
+  assign tri_ready_o = state_q == RUN && setup_ready;
+  assign drained = setup_idle && !queued_prim_valid && traversal_idle && !queued_stamp_valid &&
+                   interp_ztest_idle;
+  assign end_ready_o = state_q == RUN && drained && !tri_valid_i;
+  assign idle_o = state_q == IDLE;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q <= IDLE;
+    end else begin
+      case (state_q)
+        IDLE:    if (frame_valid_i) state_q <= CLEAR;
+        CLEAR:   if (clear_ready_i) state_q <= RUN;
+        default: if (end_valid_i && end_ready_o) state_q <= IDLE;
+      endcase
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (frame_valid_i && frame_ready_o) frame_q <= frame_i;
+  end
+
+  setup_unit u_setup (
+    .clk_i, .rst_ni,
+    .frame_i(frame_q),
+    .tri_valid_i(tri_valid_i && state_q == RUN), .tri_ready_o(setup_ready), .tri_i,
+    .prim_valid_o(prim_valid), .prim_ready_i(prim_ready), .prim_o(prim),
+    .idle_o(setup_idle)
+  );
+
+  stream_fifo #(
+    .Width(pineda_pkg::SETUP_PRIM_BITS), .Depth(pineda_pkg::PRIM_FIFO_DEPTH)
+  ) u_prims (
+    .clk_i, .rst_ni,
+    .in_valid_i(prim_valid), .in_ready_o(prim_ready), .in_data_i(prim),
+    .out_valid_o(queued_prim_valid), .out_ready_i(queued_prim_ready), .out_data_o(queued_prim)
+  );
+
+  traversal_unit u_traversal (
+    .clk_i, .rst_ni,
+    .prim_valid_i(queued_prim_valid), .prim_ready_o(queued_prim_ready), .prim_i(queued_prim),
+    .stamp_valid_o(stamp_valid), .stamp_ready_i(stamp_ready), .stamp_o(stamp),
+    .idle_o(traversal_idle)
+  );
+
+  stream_fifo #(
+    .Width(pineda_pkg::STAMP_BITS), .Depth(pineda_pkg::STAMP_FIFO_DEPTH)
+  ) u_stamps (
+    .clk_i, .rst_ni,
+    .in_valid_i(stamp_valid), .in_ready_o(stamp_ready), .in_data_i(stamp),
+    .out_valid_o(queued_stamp_valid), .out_ready_i(queued_stamp_ready), .out_data_o(queued_stamp)
+  );
+
+  interp_ztest_unit u_interp_ztest (
+    .clk_i, .rst_ni,
+    .depth_func_i(frame_q.depth),
+    .stamp_valid_i(queued_stamp_valid), .stamp_ready_o(queued_stamp_ready),
+    .stamp_i(queued_stamp),
+    .depth_rd_valid_o, .depth_rd_ready_i, .depth_rd_o, .depth_rsp_valid_i, .depth_rsp_i,
+    .depth_wr_valid_o, .depth_wr_ready_i, .depth_wr_o,
+    .color_wr_valid_o, .color_wr_ready_i, .color_wr_o,
+    .idle_o(interp_ztest_idle)
+  );
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && frame_valid_i) begin
+      assert (frame_i.width != '0 && frame_i.height != '0) else $error("a frame without samples");
+      assert (frame_i.cull <= pineda_pkg::CULL_FRONT) else $error("unknown cull state");
+      assert (frame_i.depth <= pineda_pkg::DEPTH_OFF) else $error("unknown depth function");
+    end
+  end
+`endif
+endmodule

@@ -1,0 +1,174 @@
+// The tiles of a triangle's box, row by row from the top, each from the left.
+//
+// Bits     core::TileWalk defines them. Reject: one edge is negative at that edge's best corner
+//          sample of the tile. Accept, an edge at a time: it is >= 0 at its worst corner sample.
+// In       prim_i.
+// Out      tile_o: a tile that no edge rejects, its planes referred to its first sample.
+// Rate     one tile test a cycle, from one triangle to the next without a bubble, as long as kept
+//          tiles are taken.
+// Twin     model/core/traversal.cpp.
+module tile_walker (
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+
+  input  logic                     prim_valid_i,
+  output logic                     prim_ready_o,
+  input  pineda_pkg::setup_prim_t  prim_i,
+
+  output logic                     tile_valid_o,
+  input  logic                     tile_ready_i,
+  output pineda_pkg::tile_t        tile_o,
+
+  output logic                     busy_o
+);
+  localparam int unsigned COEFF_BITS = pineda_pkg::EDGE_COEFF_BITS;
+  localparam int unsigned EDGE_BITS = pineda_pkg::EDGE_BITS;
+  localparam int unsigned TILE_EDGE_BITS = pineda_pkg::TILE_EDGE_BITS;
+  localparam int unsigned TILE_LOG2 = pineda_pkg::TILE_LOG2;
+  localparam int unsigned INDEX_BITS = pineda_pkg::TILE_INDEX_BITS;
+  localparam int unsigned PIXEL_BITS = pineda_pkg::PIXEL_BITS;
+  localparam int unsigned Z_BITS = pineda_pkg::DEPTH_PLANE_BITS;
+  localparam int unsigned ATTRIBUTES = pineda_pkg::ATTRIBUTES;
+  localparam int unsigned ATTR_BITS = pineda_pkg::ATTR_PLANE_BITS;
+  localparam int unsigned TILE_ATTR_BITS = pineda_pkg::ATTR_TILE_PLANE_BITS;
+  localparam int unsigned TILE_Z_BITS = pineda_pkg::DEPTH_TILE_PLANE_BITS;
+  localparam int unsigned NARROWING =
+      pineda_pkg::GRADIENT_FRACTION_BITS - pineda_pkg::TILE_FRACTION_BITS;
+
+  logic busy_q;
+  pineda_pkg::setup_prim_t prim_q; // its e and refs are those of the tile under test
+  logic [INDEX_BITS-1:0] x_q, y_q;
+  logic [3*EDGE_BITS-1:0] row_e_q; // at the first tile of the row
+  logic [Z_BITS-1:0] row_z_q;
+  logic [ATTRIBUTES*ATTR_BITS-1:0] row_attr_q;
+
+  logic [INDEX_BITS-1:0] first_x, last_x, last_y;
+  assign first_x = prim_q.x0[PIXEL_BITS-1:TILE_LOG2];
+  assign last_x = prim_q.x1[PIXEL_BITS-1:TILE_LOG2];
+  assign last_y = prim_q.y1[PIXEL_BITS-1:TILE_LOG2];
+
+  logic row_end, last_tile, rejected, advance;
+  assign row_end = x_q == last_x;
+  assign last_tile = row_end && y_q == last_y;
+  assign advance = busy_q && (rejected || tile_ready_i);
+  assign tile_valid_o = busy_q && !rejected;
+  assign busy_o = busy_q;
+  assign prim_ready_o = !busy_q || (advance && last_tile);
+
+  // ---- The test. From the tile's first sample to its last it is 2^TILE_LOG2 - 1 px; each sum is
+  // an E' at a corner sample, so it fits.
+  function automatic logic signed [EDGE_BITS-1:0] across(input logic [COEFF_BITS-1:0] coeff);
+    across = (EDGE_BITS'(signed'(coeff)) <<< TILE_LOG2) - EDGE_BITS'(signed'(coeff));
+  endfunction
+
+  logic [2:0] rejects, accepts;
+  for (genvar i = 0; i < 3; i++) begin : gen_edges
+    logic signed [EDGE_BITS-1:0] e, a, b, best, worst;
+    assign e = EDGE_BITS'(signed'(prim_q.e[i*EDGE_BITS +: EDGE_BITS]));
+    assign a = across(prim_q.a[i*COEFF_BITS +: COEFF_BITS]);
+    assign b = across(prim_q.b[i*COEFF_BITS +: COEFF_BITS]);
+    assign best = e + (a > 0 ? a : '0) + (b > 0 ? b : '0);
+    assign worst = e + (a < 0 ? a : '0) + (b < 0 ? b : '0);
+    assign rejects[i] = best < 0;
+    assign accepts[i] = worst >= 0;
+  end
+  assign rejected = rejects != '0;
+
+  // ---- The tile
+  assign tile_o.id = prim_q.id;
+  assign tile_o.x = x_q;
+  assign tile_o.y = y_q;
+  assign tile_o.x0 = x_q == first_x ? prim_q.x0[TILE_LOG2-1:0] : '0;
+  assign tile_o.y0 = y_q == prim_q.y0[PIXEL_BITS-1:TILE_LOG2] ? prim_q.y0[TILE_LOG2-1:0] : '0;
+  assign tile_o.x1 = row_end ? prim_q.x1[TILE_LOG2-1:0] : '1;
+  assign tile_o.y1 = y_q == last_y ? prim_q.y1[TILE_LOG2-1:0] : '1;
+  assign tile_o.a = prim_q.a;
+  assign tile_o.b = prim_q.b;
+  assign tile_o.accepted = accepts;
+  for (genvar i = 0; i < 3; i++) begin : gen_tile_edges
+    assign tile_o.e[i*TILE_EDGE_BITS +: TILE_EDGE_BITS] = prim_q.e[i*EDGE_BITS +: TILE_EDGE_BITS];
+  end
+
+  // Planes inside a tile carry fewer fraction bits: rounded, halves up.
+  if (NARROWING == 0) begin : gen_same
+    assign tile_o.z_dx = prim_q.z_dx;
+    assign tile_o.z_dy = prim_q.z_dy;
+    assign tile_o.z_ref = prim_q.z_ref;
+    assign tile_o.attr_dx = prim_q.attr_dx;
+    assign tile_o.attr_dy = prim_q.attr_dy;
+    assign tile_o.attr_ref = prim_q.attr_ref;
+  end else begin : gen_narrow
+    // Rounding adds the bit below the cut.
+    assign tile_o.z_dx = prim_q.z_dx[Z_BITS-1:NARROWING] + TILE_Z_BITS'(prim_q.z_dx[NARROWING-1]);
+    assign tile_o.z_dy = prim_q.z_dy[Z_BITS-1:NARROWING] + TILE_Z_BITS'(prim_q.z_dy[NARROWING-1]);
+    assign tile_o.z_ref =
+        prim_q.z_ref[Z_BITS-1:NARROWING] + TILE_Z_BITS'(prim_q.z_ref[NARROWING-1]);
+    for (genvar i = 0; i < ATTRIBUTES; i++) begin : gen_attrs
+      logic [ATTR_BITS-1:0] dx, dy, at;
+      assign dx = prim_q.attr_dx[i*ATTR_BITS +: ATTR_BITS];
+      assign dy = prim_q.attr_dy[i*ATTR_BITS +: ATTR_BITS];
+      assign at = prim_q.attr_ref[i*ATTR_BITS +: ATTR_BITS];
+      assign tile_o.attr_dx[i*TILE_ATTR_BITS +: TILE_ATTR_BITS] =
+          dx[ATTR_BITS-1:NARROWING] + TILE_ATTR_BITS'(dx[NARROWING-1]);
+      assign tile_o.attr_dy[i*TILE_ATTR_BITS +: TILE_ATTR_BITS] =
+          dy[ATTR_BITS-1:NARROWING] + TILE_ATTR_BITS'(dy[NARROWING-1]);
+      assign tile_o.attr_ref[i*TILE_ATTR_BITS +: TILE_ATTR_BITS] =
+          at[ATTR_BITS-1:NARROWING] + TILE_ATTR_BITS'(at[NARROWING-1]);
+    end
+  end
+
+  // ---- The walk: one tile to the right, or down to the first tile of the next row
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) busy_q <= 1'b0;
+    else if (prim_ready_o) busy_q <= prim_valid_i;
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (prim_valid_i && prim_ready_o) begin
+      prim_q <= prim_i;
+      x_q <= prim_i.x0[PIXEL_BITS-1:TILE_LOG2];
+      y_q <= prim_i.y0[PIXEL_BITS-1:TILE_LOG2];
+      row_e_q <= prim_i.e;
+      row_z_q <= prim_i.z_ref;
+      row_attr_q <= prim_i.attr_ref;
+    end else if (advance) begin
+      if (!row_end) begin
+        x_q <= x_q + INDEX_BITS'(1);
+        prim_q.z_ref <= prim_q.z_ref + (prim_q.z_dx <<< TILE_LOG2);
+      end else begin
+        x_q <= first_x;
+        y_q <= y_q + INDEX_BITS'(1);
+        prim_q.z_ref <= row_z_q + (prim_q.z_dy <<< TILE_LOG2);
+        row_z_q <= row_z_q + (prim_q.z_dy <<< TILE_LOG2);
+      end
+      for (int unsigned i = 0; i < 3; i++) begin
+        if (!row_end) begin
+          prim_q.e[i*EDGE_BITS +: EDGE_BITS] <=
+              prim_q.e[i*EDGE_BITS +: EDGE_BITS] +
+              (EDGE_BITS'(signed'(prim_q.a[i*COEFF_BITS +: COEFF_BITS])) << TILE_LOG2);
+        end else begin
+          prim_q.e[i*EDGE_BITS +: EDGE_BITS] <=
+              row_e_q[i*EDGE_BITS +: EDGE_BITS] +
+              (EDGE_BITS'(signed'(prim_q.b[i*COEFF_BITS +: COEFF_BITS])) << TILE_LOG2);
+          row_e_q[i*EDGE_BITS +: EDGE_BITS] <=
+              row_e_q[i*EDGE_BITS +: EDGE_BITS] +
+              (EDGE_BITS'(signed'(prim_q.b[i*COEFF_BITS +: COEFF_BITS])) << TILE_LOG2);
+        end
+      end
+      for (int unsigned i = 0; i < ATTRIBUTES; i++) begin
+        if (!row_end) begin
+          prim_q.attr_ref[i*ATTR_BITS +: ATTR_BITS] <=
+              prim_q.attr_ref[i*ATTR_BITS +: ATTR_BITS] +
+              (prim_q.attr_dx[i*ATTR_BITS +: ATTR_BITS] << TILE_LOG2);
+        end else begin
+          prim_q.attr_ref[i*ATTR_BITS +: ATTR_BITS] <=
+              row_attr_q[i*ATTR_BITS +: ATTR_BITS] +
+              (prim_q.attr_dy[i*ATTR_BITS +: ATTR_BITS] << TILE_LOG2);
+          row_attr_q[i*ATTR_BITS +: ATTR_BITS] <=
+              row_attr_q[i*ATTR_BITS +: ATTR_BITS] +
+              (prim_q.attr_dy[i*ATTR_BITS +: ATTR_BITS] << TILE_LOG2);
+        end
+      end
+    end
+  end
+endmodule

@@ -1,0 +1,52 @@
+// Traversal: the tiles of a triangle's box, then the stamps of each tile that is not rejected.
+//
+// Bits     core::TileWalk and core::StampWalk define every output bit.
+// In       prim_i: edges and planes at the first sample of the box's first tile.
+// Out      stamp_o: coverage mask and planes of one stamp; never empty.
+// Rate     one tile test a cycle and one stamp test a cycle, side by side; no bubble inside an
+//          accepted tile. Latency 4 cycles from a triangle to its first stamp.
+// Drops    tiles that an edge rejects, stamps without a covered sample.
+// Errors   none.
+// Twin     model/core/traversal.cpp. Source: Pineda, SIGGRAPH 1988.
+module traversal_unit (
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+
+  // Triangles set up, from setup_unit
+  input  logic                     prim_valid_i,
+  output logic                     prim_ready_o,
+  input  pineda_pkg::setup_prim_t  prim_i,
+
+  // Stamps, to interp_ztest_unit; stable while stamp_valid_o && !stamp_ready_i
+  output logic                     stamp_valid_o,
+  input  logic                     stamp_ready_i,
+  output pineda_pkg::stamp_t       stamp_o,
+
+  output logic                     idle_o
+);
+  logic walked_valid, walked_ready, tile_valid, tile_ready, tiles_busy, stamps_idle;
+  pineda_pkg::tile_t walked, tile;
+
+  tile_walker u_tiles (
+    .clk_i, .rst_ni,
+    .prim_valid_i, .prim_ready_o, .prim_i,
+    .tile_valid_o(walked_valid), .tile_ready_i(walked_ready), .tile_o(walked),
+    .busy_o(tiles_busy)
+  );
+
+  // Rejected tiles are passed over while the stamps of earlier ones are sent.
+  stream_fifo #(.Width(pineda_pkg::TILE_BITS), .Depth(pineda_pkg::TILE_FIFO_DEPTH)) u_fifo (
+    .clk_i, .rst_ni,
+    .in_valid_i(walked_valid), .in_ready_o(walked_ready), .in_data_i(walked),
+    .out_valid_o(tile_valid), .out_ready_i(tile_ready), .out_data_o(tile)
+  );
+
+  stamp_walker u_stamps (
+    .clk_i, .rst_ni,
+    .tile_valid_i(tile_valid), .tile_ready_o(tile_ready), .tile_i(tile),
+    .stamp_valid_o, .stamp_ready_i, .stamp_o,
+    .idle_o(stamps_idle)
+  );
+
+  assign idle_o = !tiles_busy && !tile_valid && stamps_idle;
+endmodule

@@ -1,0 +1,197 @@
+// The Verilated units of one design behind the C face of plugin.h. The only source that sees a
+// Verilator header.
+#include "tb/plugin.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "Vinterp_ztest_unit.h"
+#include "Vloopback.h"
+#include "Vraster_top.h"
+#include "Vraster_top___024root.h"
+#include "Vsetup_unit.h"
+#include "Vtraversal_unit.h"
+#include "verilated.h"
+#include "verilated_fst_c.h"
+
+struct PinedaRtl {
+  virtual ~PinedaRtl() = default;
+  virtual void settle() = 0;
+  virtual void clock() = 0;
+  virtual bool trace(const char*) { return false; }
+
+  VerilatedContext context;
+  std::vector<PinedaRtlPort> ports;
+};
+
+namespace {
+
+template <class Storage>
+PinedaRtlPort port(const char* name, Storage& storage) {
+  return {name, &storage, static_cast<uint32_t>(sizeof(storage))};
+}
+
+// A unit without waveform.
+template <class Model>
+struct Unit : PinedaRtl {
+  Unit() : model(std::make_unique<Model>(&context)) {
+    // Assertions are counted, not fatal: the bench reports them with the case.
+    context.errorLimit(1 << 30);
+    context.fatalOnError(false);
+  }
+  ~Unit() override {
+    model->final();
+    model.reset();
+    Verilated::threadContextp(Verilated::defaultContextp());
+  }
+  void settle() override { model->eval(); }
+  void clock() override {
+    model->clk_i = 1;
+    model->eval();
+    model->clk_i = 0;
+  }
+
+  std::unique_ptr<Model> model;
+};
+
+#define PORT(name) ports.push_back(port(#name, model->name));
+
+struct Setup : Unit<Vsetup_unit> {
+  Setup() {
+    PORT(rst_ni)
+    PORT(frame_i)
+    PORT(tri_valid_i)
+    PORT(tri_ready_o)
+    PORT(tri_i)
+    PORT(prim_valid_o)
+    PORT(prim_ready_i)
+    PORT(prim_o)
+    PORT(idle_o)
+  }
+};
+
+struct Traversal : Unit<Vtraversal_unit> {
+  Traversal() {
+    PORT(rst_ni)
+    PORT(prim_valid_i)
+    PORT(prim_ready_o)
+    PORT(prim_i)
+    PORT(stamp_valid_o)
+    PORT(stamp_ready_i)
+    PORT(stamp_o)
+    PORT(idle_o)
+  }
+};
+
+#define MEMORY_PORTS      \
+  PORT(depth_rd_valid_o)  \
+  PORT(depth_rd_ready_i)  \
+  PORT(depth_rd_o)        \
+  PORT(depth_rsp_valid_i) \
+  PORT(depth_rsp_i)       \
+  PORT(depth_wr_valid_o)  \
+  PORT(depth_wr_ready_i)  \
+  PORT(depth_wr_o)        \
+  PORT(color_wr_valid_o)  \
+  PORT(color_wr_ready_i)  \
+  PORT(color_wr_o)
+
+struct InterpZtest : Unit<Vinterp_ztest_unit> {
+  InterpZtest() {
+    PORT(rst_ni)
+    PORT(depth_func_i)
+    PORT(stamp_valid_i)
+    PORT(stamp_ready_o)
+    PORT(stamp_i)
+    MEMORY_PORTS
+    PORT(idle_o)
+  }
+};
+
+struct Loopback : Unit<Vloopback> {
+  Loopback() {
+#include "loopback_ports.inc"
+  }
+};
+
+// The streams between the units of the top, read only.
+#define TAP(name) ports.push_back(port(#name, model->rootp->raster_top__DOT__##name));
+
+struct Top : Unit<Vraster_top> {
+  Top() {
+    context.traceEverOn(true);
+    PORT(rst_ni)
+    PORT(frame_valid_i)
+    PORT(frame_ready_o)
+    PORT(frame_i)
+    PORT(end_valid_i)
+    PORT(end_ready_o)
+    PORT(clear_valid_o)
+    PORT(clear_ready_i)
+    PORT(idle_o)
+    PORT(tri_valid_i)
+    PORT(tri_ready_o)
+    PORT(tri_i)
+    MEMORY_PORTS
+    TAP(prim_valid)
+    TAP(prim_ready)
+    TAP(prim)
+    TAP(stamp_valid)
+    TAP(stamp_ready)
+    TAP(stamp)
+  }
+  ~Top() override {
+    if (fst) fst->close();
+  }
+  void settle() override {
+    Unit::settle();
+    if (fst) fst->dump(2 * time);
+  }
+  void clock() override {
+    model->clk_i = 1;
+    model->eval();
+    if (fst) fst->dump(2 * time + 1);
+    ++time;
+    model->clk_i = 0;
+  }
+  bool trace(const char* file) override {
+    fst = std::make_unique<VerilatedFstC>();
+    model->trace(fst.get(), 99);
+    fst->open(file);
+    return fst->isOpen();
+  }
+
+  std::unique_ptr<VerilatedFstC> fst;
+  uint64_t time = 0;
+};
+
+PinedaRtl* open_unit(const char* name) {
+  const std::string unit = name;
+  std::unique_ptr<PinedaRtl> rtl;
+  if (unit == "setup") rtl = std::make_unique<Setup>();
+  if (unit == "traversal") rtl = std::make_unique<Traversal>();
+  if (unit == "interp_ztest") rtl = std::make_unique<InterpZtest>();
+  if (unit == "loopback") rtl = std::make_unique<Loopback>();
+  if (unit == "top") rtl = std::make_unique<Top>();
+  if (rtl) rtl->ports.push_back({nullptr, nullptr, 0});
+  return rtl.release();
+}
+
+const PinedaRtlPlugin kPlugin = {
+    kPinedaRtlAbi,
+    PINEDA_RTL_DESIGN,
+#include "package_hash.inc"
+    ,
+    open_unit,
+    [](PinedaRtl* rtl) { delete rtl; },
+    [](PinedaRtl* rtl) -> const PinedaRtlPort* { return rtl->ports.data(); },
+    [](PinedaRtl* rtl) { rtl->settle(); },
+    [](PinedaRtl* rtl) { rtl->clock(); },
+    [](PinedaRtl* rtl) { return static_cast<uint64_t>(rtl->context.errorCount()); },
+    [](PinedaRtl* rtl, const char* file) { return rtl->trace(file) ? 1 : 0; },
+};
+
+}  // namespace
+
+const PinedaRtlPlugin* pineda_rtl_plugin(void) { return &kPlugin; }

@@ -1,0 +1,68 @@
+# Builds the plug-in of one design: package -> Verilator -> shared library. CMake calls it for the
+# named designs.
+#
+#   make -f tb/plugin.mk DESIGN=high_tile EMIT=build/bin/emit_package WORK=dir OUT=file.so
+SOURCE ?= $(abspath $(dir $(lastword $(MAKEFILE_LIST)))/..)
+VERILATOR ?= verilator
+CXXFLAGS ?= -O3
+RTL := $(SOURCE)/rtl
+UNITS := setup_unit traversal_unit interp_ztest_unit raster_top loopback
+RTL_SOURCES := $(RTL)/lib/stream_fifo.sv $(RTL)/reciprocal.sv $(RTL)/setup_planes.sv \
+  $(RTL)/setup_unit.sv $(RTL)/tile_walker.sv $(RTL)/stamp_walker.sv $(RTL)/traversal_unit.sv \
+  $(RTL)/interpolator.sv $(RTL)/inflight_table.sv $(RTL)/interp_ztest_unit.sv $(RTL)/raster_top.sv
+LINT := $(RTL)/lint/waivers.vlt
+
+VERILATOR_ROOT := $(shell $(VERILATOR) --getenv VERILATOR_ROOT)
+FLAGS := --cc -O3 --x-assign fast --x-initial fast --assert -Wall --prefix
+RUNTIME := verilated verilated_fst_c verilated_threads
+
+# A second make, once the generated sources exist and can be listed.
+ifneq ($(STAGE),objects)
+
+.PHONY: all
+all: $(UNITS:%=$(WORK)/%.stamp)
+	+$(MAKE) --no-print-directory -f $(firstword $(MAKEFILE_LIST)) STAGE=objects $(OUT)
+
+$(WORK)/pineda_pkg.sv: $(EMIT)
+	mkdir -p $(WORK)
+	$(EMIT) $(DESIGN) $(WORK) --bench
+
+$(WORK)/raster_top.stamp: $(WORK)/pineda_pkg.sv $(RTL_SOURCES) $(LINT) $(RTL)/lint/taps.vlt
+	$(VERILATOR) $(FLAGS) Vraster_top --trace-fst --Mdir $(WORK)/raster_top \
+	  --top-module raster_top $(LINT) $(RTL)/lint/taps.vlt $< $(RTL_SOURCES)
+	touch $@
+
+$(WORK)/loopback.stamp: $(WORK)/pineda_pkg.sv
+	$(VERILATOR) $(FLAGS) Vloopback -Wno-UNUSEDSIGNAL --Mdir $(WORK)/loopback \
+	  --top-module loopback $(LINT) $< $(WORK)/loopback.sv
+	touch $@
+
+$(WORK)/%.stamp: $(WORK)/pineda_pkg.sv $(RTL_SOURCES) $(LINT)
+	$(VERILATOR) $(FLAGS) V$* --Mdir $(WORK)/$* --top-module $* $(LINT) $< $(RTL_SOURCES)
+	touch $@
+
+else
+
+GENERATED := $(foreach unit,$(UNITS),$(wildcard $(WORK)/$(unit)/*.cpp))
+OBJECTS := $(GENERATED:.cpp=.o) $(RUNTIME:%=$(WORK)/%.o) $(WORK)/plugin.o
+COMPILE = $(CXX) -std=c++17 $(CXXFLAGS) -fPIC -w -DVM_TRACE=1 -DVM_TRACE_FST=1 -DVM_SC=0 -DVM_COVERAGE=0 \
+  -I$(SOURCE) -I$(WORK) $(UNITS:%=-I$(WORK)/%) -isystem $(VERILATOR_ROOT)/include \
+  -isystem $(VERILATOR_ROOT)/include/vltstd
+
+# Only the plug-in's one symbol leaves it: two plug-ins must not share Verilator's globals.
+$(OUT): $(OBJECTS)
+	mkdir -p $(dir $(OUT))
+	$(CXX) -shared -Wl,-Bsymbolic -Wl,--version-script=$(SOURCE)/tb/plugin.map $^ -lz -lpthread \
+	  -o $(OUT).part
+	mv $(OUT).part $(OUT)
+
+$(WORK)/plugin.o: $(SOURCE)/tb/plugin.cpp $(SOURCE)/tb/plugin.h $(UNITS:%=$(WORK)/%.stamp)
+	$(COMPILE) -DPINEDA_RTL_DESIGN='"$(DESIGN)"' -c $< -o $@
+
+$(RUNTIME:%=$(WORK)/%.o): $(WORK)/%.o: $(VERILATOR_ROOT)/include/%.cpp
+	$(COMPILE) -c $< -o $@
+
+$(GENERATED:.cpp=.o): %.o: %.cpp
+	$(COMPILE) -c $< -o $@
+
+endif

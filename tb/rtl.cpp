@@ -1,0 +1,90 @@
+#include "tb/rtl.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "model/spec/package.h"
+
+namespace pineda::tb {
+namespace {
+
+// The build tree's lib/, beside the program or one level up, wherever the program is called from.
+std::string plugin_file(const std::string& design) {
+  namespace fs = std::filesystem;
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
+  const std::string name = fmt::format("pineda_rtl_{}.so", design);
+  for (const auto& folder : {program / "lib", program / ".." / "lib"}) {
+    if (fs::exists(folder / name)) return (folder / name).string();
+  }
+  throw RtlError(fmt::format("no RTL of design '{}': {} is not in {}", design, name,
+                             (program / "lib").string()));
+}
+
+}  // namespace
+
+RtlLibrary::RtlLibrary(const spec::Contract& contract)
+    : RtlLibrary(contract, plugin_file(contract.design.name)) {}
+
+RtlLibrary::RtlLibrary(const spec::Contract& contract, const std::string& file)
+    : contract_(contract) {
+  load(file);
+}
+
+void RtlLibrary::load(const std::string& file) {
+  handle_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle_ == nullptr) throw RtlError(dlerror());
+  using Entry = const PinedaRtlPlugin* (*)();
+  const auto entry = reinterpret_cast<Entry>(dlsym(handle_, "pineda_rtl_plugin"));
+  plugin_ = entry != nullptr ? entry() : nullptr;
+  if (plugin_ == nullptr || plugin_->abi != kPinedaRtlAbi) {
+    throw RtlError(fmt::format("{}: not a plug-in of this version", file));
+  }
+  if (plugin_->package_hash != spec::package_hash(contract_)) {
+    throw RtlError(fmt::format("{}: built from another package (hash {:016x}, expected {:016x})",
+                               file, plugin_->package_hash, spec::package_hash(contract_)));
+  }
+}
+
+RtlLibrary::~RtlLibrary() {
+  if (handle_ != nullptr) dlclose(handle_);
+}
+
+RtlUnit::RtlUnit(const RtlLibrary& library, const std::string& unit)
+    : contract_(library.contract()),
+      plugin_(library.plugin()),
+      name_(unit),
+      rtl_(plugin_.open(unit.c_str())) {
+  if (rtl_ == nullptr) throw RtlError(fmt::format("the RTL has no unit '{}'", unit));
+}
+
+RtlUnit::~RtlUnit() { plugin_.close(rtl_); }
+
+PortData RtlUnit::port(const std::string& name) const {
+  for (const PinedaRtlPort* port = plugin_.ports(rtl_); port->name != nullptr; ++port) {
+    if (name == port->name) return {port->data, port->bytes};
+  }
+  throw RtlError(fmt::format("{}: no port '{}'", name_, name));
+}
+
+void RtlUnit::reset() {
+  const PortData rst_n = port("rst_ni");
+  rst_n.set_bit(false);
+  for (int edge = 0; edge < 2; ++edge) {
+    plugin_.settle(rtl_);
+    plugin_.clock(rtl_);
+  }
+  rst_n.set_bit(true);
+  cycle_ = 0;
+}
+
+void RtlUnit::clock() {
+  plugin_.clock(rtl_);
+  ++cycle_;
+  if (plugin_.errors(rtl_) != 0) {
+    throw RtlError(fmt::format("{}: an assertion failed in cycle {}", name_, cycle_ - 1));
+  }
+}
+
+}  // namespace pineda::tb

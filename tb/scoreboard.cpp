@@ -1,0 +1,86 @@
+#include "tb/scoreboard.h"
+
+namespace pineda::tb {
+
+struct Recorder {
+  Reference& to;
+  void prim(const spec::SetupPrim& token) { to.prims_.push_back(token); }
+  void stamp(const spec::Stamp& token) { to.stamps_.push_back(token); }
+  void depth(const spec::DepthWrite& token) { to.depths_.push_back(token); }
+  void color(const spec::ColorWrite& token) { to.colors_.push_back(token); }
+};
+
+bool Reference::draw() {
+  spec::Triangle triangle;
+  if (!next_(&triangle)) return false;
+  renderer_.draw(triangle, Recorder{*this});
+  return true;
+}
+
+template <class T>
+const T* Reference::front(std::deque<T>* queue) {
+  while (queue->empty()) {
+    if (!draw()) return nullptr;
+  }
+  return &queue->front();
+}
+
+Scoreboard::Scoreboard(std::string who, const spec::Contract& contract,
+                       const spec::FrameState& frame, NextTriangle next)
+    : who_(std::move(who)),
+      reference_(contract, frame, std::move(next)),
+      prims_(contract),
+      stamps_(contract),
+      depths_(contract),
+      colors_(contract) {}
+
+void Scoreboard::diverge(const std::string& text) {
+  ++mismatches_;
+  if (first_.empty()) first_ = fmt::format("{} {}", who_, text);
+}
+
+// True when a token was expected: it is to be popped.
+template <class T>
+bool Scoreboard::compare(const char* unit, uint64_t cycle, const T* expected, const T& got,
+                         const spec::Comparer<T>& comparer) {
+  ++compared_;
+  if (expected == nullptr) {
+    diverge(fmt::format("{}: triangle {}, cycle {}: a {} too many", unit, got.id, cycle,
+                        spec::struct_name<T>()));
+    return false;
+  }
+  if (const auto text = comparer.difference(*expected, got)) {
+    diverge(fmt::format("{}: triangle {}, cycle {}: {}.{}", unit, expected->id, cycle,
+                        spec::struct_name<T>(), *text));
+  }
+  return true;
+}
+
+void Scoreboard::prim(uint64_t cycle, const spec::SetupPrim& got) {
+  if (compare("setup", cycle, reference_.prim(), got, prims_)) reference_.pop_prim();
+}
+void Scoreboard::stamp(uint64_t cycle, const spec::Stamp& got) {
+  if (compare("traversal", cycle, reference_.stamp(), got, stamps_)) reference_.pop_stamp();
+}
+void Scoreboard::depth(uint64_t cycle, const spec::DepthWrite& got) {
+  if (compare("interp_ztest", cycle, reference_.depth(), got, depths_)) reference_.pop_depth();
+}
+void Scoreboard::color(uint64_t cycle, const spec::ColorWrite& got) {
+  if (compare("interp_ztest", cycle, reference_.color(), got, colors_)) reference_.pop_color();
+}
+
+void Scoreboard::finish() {
+  const auto missing = [this](const char* unit, auto next, auto pop) {
+    while (const auto* token = (reference_.*next)()) {
+      diverge(fmt::format("{}: triangle {}: a {} never came", unit, token->id,
+                          spec::struct_name<std::decay_t<decltype(*token)>>()));
+      (reference_.*pop)();
+    }
+  };
+  missing("setup", &Reference::prim, &Reference::pop_prim);
+  missing("traversal", &Reference::stamp, &Reference::pop_stamp);
+  missing("interp_ztest", &Reference::depth, &Reference::pop_depth);
+  missing("interp_ztest", &Reference::color, &Reference::pop_color);
+}
+
+}  // namespace pineda::tb

@@ -1,0 +1,85 @@
+// Compares the tokens at every unit boundary, in order, with those that core defines.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "model/spec/difference.h"
+#include "tb/frame_bench.h"
+
+namespace pineda::tb {
+
+/// The sequences of a frame that core defines, made triangle by triangle when they are asked for,
+/// so that memory stays bounded whatever the scene.
+class Reference {
+ public:
+  Reference(const spec::Contract& contract, const spec::FrameState& frame, NextTriangle next)
+      : renderer_(contract, frame), next_(std::move(next)) {}
+
+  /// The next token of a boundary, or nullptr when the frame has no more.
+  const spec::SetupPrim* prim() { return front(&prims_); }
+  const spec::Stamp* stamp() { return front(&stamps_); }
+  const spec::DepthWrite* depth() { return front(&depths_); }
+  const spec::ColorWrite* color() { return front(&colors_); }
+  void pop_prim() { prims_.pop_front(); }
+  void pop_stamp() { stamps_.pop_front(); }
+  void pop_depth() { depths_.pop_front(); }
+  void pop_color() { colors_.pop_front(); }
+
+  /// Draws what is left of the frame, as far as no boundary still waits for it.
+  const core::Renderer& renderer() const { return renderer_; }
+
+ private:
+  friend struct Recorder;
+  template <class T>
+  const T* front(std::deque<T>* queue);
+  bool draw();
+
+  core::Renderer renderer_;
+  NextTriangle next_;
+  std::deque<spec::SetupPrim> prims_;
+  std::deque<spec::Stamp> stamps_;
+  std::deque<spec::DepthWrite> depths_;
+  std::deque<spec::ColorWrite> colors_;
+};
+
+/// Listens to a run and compares. `who` names the side under test: "RTL" or "SystemC".
+class Scoreboard : public Listener {
+ public:
+  Scoreboard(std::string who, const spec::Contract& contract, const spec::FrameState& frame,
+             NextTriangle next);
+
+  void prim(uint64_t cycle, const spec::SetupPrim& got) override;
+  void stamp(uint64_t cycle, const spec::Stamp& got) override;
+  void depth(uint64_t cycle, const spec::DepthWrite& got) override;
+  void color(uint64_t cycle, const spec::ColorWrite& got) override;
+
+  /// Call once at the end of the run: counts the tokens that never came.
+  void finish();
+
+  uint64_t compared() const { return compared_; }
+  uint64_t mismatches() const { return mismatches_; }
+  /// "RTL setup: triangle 12, cycle 345: e[1]: expected 0x.. (..), got 0x.. (..)"; empty if none.
+  const std::string& first_divergence() const { return first_; }
+  /// The frame as core drew it; whole after finish().
+  const core::Renderer& renderer() const { return reference_.renderer(); }
+
+ private:
+  template <class T>
+  bool compare(const char* unit, uint64_t cycle, const T* expected, const T& got,
+               const spec::Comparer<T>& comparer);
+  void diverge(const std::string& text);
+
+  std::string who_;
+  Reference reference_;
+  spec::Comparer<spec::SetupPrim> prims_;
+  spec::Comparer<spec::Stamp> stamps_;
+  spec::Comparer<spec::DepthWrite> depths_;
+  spec::Comparer<spec::ColorWrite> colors_;
+  uint64_t compared_ = 0;
+  uint64_t mismatches_ = 0;
+  std::string first_;
+};
+
+}  // namespace pineda::tb

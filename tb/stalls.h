@@ -1,0 +1,64 @@
+// Back-pressure and gaps at the ports: a pure function of (seed, port, cycle), so that the RTL and
+// the model can be given the same.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace pineda::tb {
+
+/// Who stalls: nobody, the producers that feed the design, the consumers behind it, or both.
+enum class StallMode { kNone, kSource, kSink, kBoth };
+inline constexpr StallMode kStallModes[] = {StallMode::kNone, StallMode::kSource, StallMode::kSink,
+                                            StallMode::kBoth};
+
+inline const char* stall_mode_name(StallMode mode) {
+  static constexpr const char* kNames[] = {"NoStalls", "SourceStalled", "SinkStalled",
+                                           "BothStalled"};
+  return kNames[static_cast<int>(mode)];
+}
+
+/// Ports that can stall. The first ones feed the design, the others take from it.
+enum class Port : uint8_t {
+  kInput,  // of a unit on its own
+  kTriangle,
+  kEnd,
+  kOutput,  // of a unit on its own
+  kClear,
+  kDepthRead,
+  kDepthWrite,
+  kColorWrite,
+};
+
+class Stalls {
+ public:
+  Stalls() = default;
+  Stalls(StallMode mode, uint64_t seed) : mode_(mode), seed_(seed) {}
+
+  /// Does this port stand still in this cycle? Every 32 cycles a port draws how busy it is: never,
+  /// one cycle in four, in two, or seven in eight.
+  bool operator()(Port port, uint64_t cycle) const {
+    const bool source = port < Port::kOutput;
+    if (mode_ == StallMode::kNone || (mode_ == StallMode::kSource && !source) ||
+        (mode_ == StallMode::kSink && source)) {
+      return false;
+    }
+    static constexpr uint64_t kEighths[] = {0, 2, 4, 7};
+    const uint64_t busy = kEighths[hash(port, cycle / 32) >> 8 & 3];
+    return (hash(port, ~cycle) >> 8 & 7) < busy;
+  }
+
+ private:
+  // splitmix64's finalizer over seed, port and time.
+  uint64_t hash(Port port, uint64_t time) const {
+    uint64_t x = seed_ + 0x9e3779b97f4a7c15u * (time + (static_cast<uint64_t>(port) << 56));
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+  }
+
+  StallMode mode_ = StallMode::kNone;
+  uint64_t seed_ = 0;
+};
+
+}  // namespace pineda::tb

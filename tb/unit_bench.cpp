@@ -1,0 +1,62 @@
+#include "tb/unit_bench.h"
+
+namespace pineda::tb {
+namespace {
+
+class WriteRecorder : public Listener {
+ public:
+  explicit WriteRecorder(InterpZtestBench::Writes* writes) : writes_(writes) {}
+  void depth(uint64_t cycle, const spec::DepthWrite& write) override {
+    writes_->depth.add(cycle, write);
+  }
+  void color(uint64_t cycle, const spec::ColorWrite& write) override {
+    writes_->color.add(cycle, write);
+  }
+
+ private:
+  InterpZtestBench::Writes* writes_;
+};
+
+}  // namespace
+
+InterpZtestBench::InterpZtestBench(const RtlLibrary& library, const BenchOptions& options)
+    : unit_(library, "interp_ztest"),
+      stalls_(options.stall_mode, options.seed),
+      stamps_(unit_, "stamp"),
+      depth_func_(unit_.port("depth_func_i")),
+      idle_(unit_.port("idle_o")),
+      memory_(unit_, options.depth_latency_cycles) {
+  unit_.reset();
+}
+
+InterpZtestBench::Writes InterpZtestBench::run(const spec::FrameState& frame,
+                                               const std::vector<spec::Stamp>& stamps,
+                                               std::vector<uint64_t>* accepted) {
+  Writes writes;
+  WriteRecorder recorder(&writes);
+  *static_cast<uint8_t*>(depth_func_.data) = static_cast<uint8_t>(frame.depth);
+  memory_.start(frame);
+  size_t next = 0;
+  uint64_t last_event = unit_.cycle();
+  for (bool done = false; !done;) {
+    const uint64_t cycle = unit_.cycle();
+    if (!stamps_.offered() && next < stamps.size() && !stalls_(Port::kInput, cycle)) {
+      stamps_.offer(stamps[next++]);
+    }
+    memory_.drive(stalls_, cycle);
+    unit_.settle();
+    const bool took = stamps_.taken();
+    const bool wrote = memory_.sample(cycle, &recorder);
+    if (took && accepted != nullptr) accepted->push_back(cycle);
+    if (took || wrote) last_event = cycle;
+    if (cycle - last_event > kDeadlockCycles) {
+      throw RtlError(fmt::format("interp_ztest: nothing moves since cycle {}", last_event));
+    }
+    done = next == stamps.size() && !stamps_.offered() && idle_.bit();
+    unit_.clock();
+    if (took) stamps_.withdraw();
+  }
+  return writes;
+}
+
+}  // namespace pineda::tb

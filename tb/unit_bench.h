@@ -1,0 +1,112 @@
+// One Verilated unit on its own: tokens in, tokens out, in order, with the cycles of both.
+#pragma once
+
+#include "tb/frame_bench.h"
+
+namespace pineda::tb {
+
+/// What went through a stream, and when.
+template <class T>
+struct Trace {
+  std::vector<T> tokens;
+  std::vector<uint64_t> cycles;  // of the handshakes
+
+  void add(uint64_t cycle, const T& token) {
+    tokens.push_back(token);
+    cycles.push_back(cycle);
+  }
+};
+
+/// A unit with one stream in and one out: setup (Triangle -> SetupPrim), traversal
+/// (SetupPrim -> Stamp).
+template <class In, class Out>
+class UnitBench {
+ public:
+  UnitBench(const RtlLibrary& library, const std::string& unit, const std::string& in,
+            const std::string& out, const BenchOptions& options)
+      : unit_(library, unit),
+        stalls_(options.stall_mode, options.seed),
+        in_(unit_, in),
+        out_(unit_, out),
+        idle_(unit_.port("idle_o")) {
+    unit_.reset();
+  }
+
+  RtlUnit& unit() { return unit_; }
+
+  /// Feeds all tokens, then waits until the unit is idle. *accepted, if given, gets the cycles in
+  /// which it took them.
+  Trace<Out> run(const std::vector<In>& tokens, std::vector<uint64_t>* accepted = nullptr) {
+    Trace<Out> trace;
+    size_t next = 0;
+    uint64_t last_event = unit_.cycle();
+    for (bool done = false; !done;) {
+      const uint64_t cycle = unit_.cycle();
+      if (!in_.offered() && next < tokens.size() && !stalls_(Port::kInput, cycle)) {
+        in_.offer(tokens[next++]);
+      }
+      out_.set_ready(!stalls_(Port::kOutput, cycle));
+      unit_.settle();
+      const bool took = in_.taken();
+      const bool gave = out_.taken();
+      if (gave) trace.add(cycle, out_.value());
+      if (took && accepted != nullptr) accepted->push_back(cycle);
+      if (took || gave) last_event = cycle;
+      if (cycle - last_event > kDeadlockCycles) {
+        throw RtlError(fmt::format("{}: nothing moves since cycle {}", unit_.name(), last_event));
+      }
+      done = next == tokens.size() && !in_.offered() && idle_.bit();
+      unit_.clock();
+      if (took) in_.withdraw();
+    }
+    return trace;
+  }
+
+ private:
+  RtlUnit unit_;
+  Stalls stalls_;
+  SourceEnd<In> in_;
+  SinkEnd<Out> out_;
+  PortData idle_;
+};
+
+class SetupBench : public UnitBench<spec::Triangle, spec::SetupPrim> {
+ public:
+  SetupBench(const RtlLibrary& library, const BenchOptions& options)
+      : UnitBench(library, "setup", "tri", "prim", options), frame_(unit(), "frame_i") {}
+  /// Raster state of the triangles that follow.
+  void set_frame(const spec::FrameState& frame) { frame_.set(frame); }
+
+ private:
+  PayloadPort<spec::FrameState> frame_;
+};
+
+class TraversalBench : public UnitBench<spec::SetupPrim, spec::Stamp> {
+ public:
+  TraversalBench(const RtlLibrary& library, const BenchOptions& options)
+      : UnitBench(library, "traversal", "prim", "stamp", options) {}
+};
+
+/// Interpolation and depth test with its memories.
+class InterpZtestBench {
+ public:
+  InterpZtestBench(const RtlLibrary& library, const BenchOptions& options);
+
+  struct Writes {
+    Trace<spec::DepthWrite> depth;
+    Trace<spec::ColorWrite> color;
+  };
+  /// Clears the memories, feeds all stamps, waits until the unit is idle.
+  Writes run(const spec::FrameState& frame, const std::vector<spec::Stamp>& stamps,
+             std::vector<uint64_t>* accepted = nullptr);
+  const core::FrameBuffer& buffer() const { return memory_.buffer(); }
+
+ private:
+  RtlUnit unit_;
+  Stalls stalls_;
+  SourceEnd<spec::Stamp> stamps_;
+  PortData depth_func_, idle_;
+  MemoryEnd memory_;
+};
+
+}  // namespace pineda::tb

@@ -1,0 +1,230 @@
+// Traversal: order, borders, tile corners, micro-triangles.
+#include "model/core/traversal.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "model/core/frame.h"
+#include "tests/core/support.h"
+
+namespace pineda::test {
+namespace {
+
+// Remembers whether the stamps come by tile rows, then tiles, then rows, each address once.
+struct OrderSink {
+  std::tuple<int, int, int, int> last{-1, -1, -1, -1};
+  int stamps = 0;
+  int out_of_order = 0;
+  int outside = 0;
+  spec::FrameState frame;
+
+  void prim(const spec::SetupPrim&) { last = {-1, -1, -1, -1}; }
+  void stamp(const spec::Stamp& s) {
+    const std::tuple<int, int, int, int> now{s.y >> 2, s.x >> 2, s.y, s.x};
+    ++stamps;
+    out_of_order += now > last ? 0 : 1;
+    last = now;
+    for_each_sample(s, [&](int x, int y, size_t) {
+      outside += x < 0 || y < 0 || x >= frame.width || y >= frame.height ? 1 : 0;
+    });
+  }
+  void depth(const spec::DepthWrite&) {}
+  void color(const spec::ColorWrite&) {}
+};
+
+class OddFrame : public testing::TestWithParam<std::pair<int, int>> {};
+INSTANTIATE_TEST_SUITE_P(Sizes, OddFrame,
+                         testing::Values(std::pair{641, 479}, std::pair{1, 1}, std::pair{9, 1},
+                                         std::pair{1, 17}, std::pair{2, 2}, std::pair{67, 45}),
+                         [](const auto& size) {
+                           return std::to_string(size.param.first) + "x" +
+                                  std::to_string(size.param.second);
+                         });
+
+TEST_P(OddFrame, NothingOutsideIsSentOrCountedAndStampsComeInOrder) {
+  const auto [width, height] = GetParam();
+  const spec::FrameState frame{width, height, spec::Cull::kNone, spec::DepthFunc::kLess};
+  core::Renderer renderer(kContract, frame);
+  OrderSink sink;
+  sink.frame = frame;
+  Random random(71);
+  uint64_t samples = 0;
+  for (int n = 0; n < 60; ++n) {
+    const spec::Triangle t =
+        random_triangle(random, n % 2 == 0 ? Shape::k256Px : Shape::kGuardBand);
+    ASSERT_EQ(coverage_difference(frame, t), "") << n;
+    renderer.draw(t, sink);
+    samples += static_cast<uint64_t>(judge(frame, t).samples());
+  }
+  EXPECT_GT(sink.stamps, 5);
+  EXPECT_EQ(sink.out_of_order, 0);
+  EXPECT_EQ(sink.outside, 0);
+  EXPECT_EQ(renderer.counters().stamps, static_cast<uint64_t>(sink.stamps));
+  EXPECT_EQ(renderer.counters().fragments, samples);
+  uint64_t hits = 0;
+  for (const uint16_t h : renderer.buffer().hits) hits += h;
+  EXPECT_EQ(hits, samples);
+}
+
+TEST(OddFrame, FullScreenTriangleFillsEverySampleOnce) {
+  constexpr spec::FrameState kFrame{641, 479, spec::Cull::kNone, spec::DepthFunc::kLess};
+  core::Renderer renderer(kContract, kFrame);
+  renderer.draw(triangle({0, 0}, {2 * 641 * kPx, 0}, {0, 2 * 479 * kPx}));
+  EXPECT_EQ(renderer.counters().fragments, 641u * 479u);
+  for (const uint16_t h : renderer.buffer().hits) ASSERT_EQ(h, 1);
+}
+
+// The order check can fail: the same triangle twice starts again at the first stamp.
+TEST(OddFrame, MutantStreamOutOfOrderIsCaught) {
+  OrderSink sink;
+  sink.frame = kWindow;
+  spec::Stamp stamp;
+  stamp.mask = 1;
+  stamp.x = 1;
+  sink.stamp(stamp);
+  sink.stamp(stamp);
+  EXPECT_EQ(sink.out_of_order, 1);
+}
+
+// Corners in the corners of a tile and a subpixel beside them; edges along tile borders.
+TEST(TileCorners, NoStampIsLostOrSentTwice) {
+  constexpr spec::FrameState kFrame{40, 40, spec::Cull::kNone, spec::DepthFunc::kLess};
+  constexpr std::array<int, 9> kNear{
+      0, -1, 1, kHalfPx, kHalfPx - 1, kHalfPx + 1, -kHalfPx, -kHalfPx - 1, -kHalfPx + 1};
+  Random random(72);
+  int drawn = 0;
+  for (int n = 0; n < 20000; ++n) {
+    const auto corner = [&] {
+      const auto near = [&] { return kNear[static_cast<size_t>(random.in(0, 8))]; };
+      return Point{random.coordinate(0, 4) * 8 * kPx + near(),
+                   random.coordinate(0, 4) * 8 * kPx + near()};
+    };
+    const spec::Triangle t = triangle(corner(), corner(), corner());
+    ASSERT_EQ(coverage_difference(kFrame, t), "") << n;
+    drawn += judge(kFrame, t).samples() > 0 ? 1 : 0;
+  }
+  EXPECT_GT(drawn, 10000);
+}
+
+TEST(TileCorners, QuadsAlongTileBordersAreHitOnce) {
+  constexpr spec::FrameState kFrame{40, 40, spec::Cull::kNone, spec::DepthFunc::kLess};
+  for (const int shift : {0, kHalfPx, -kHalfPx, 1, -1}) {
+    HitMap hits(kFrame);
+    for (int j = 0; j < 4; ++j) {
+      for (int i = 0; i < 4; ++i) {
+        const int x0 = (8 * i + 4) * kPx + shift;
+        const int y0 = (8 * j + 4) * kPx + shift;
+        const int side = 8 * kPx;
+        hits.draw(triangle({x0, y0}, {x0 + side, y0}, {x0, y0 + side}));
+        hits.draw(triangle({x0 + side, y0}, {x0 + side, y0 + side}, {x0, y0 + side}));
+      }
+    }
+    EXPECT_EQ(hits.count(1), 32 * 32) << shift;
+    EXPECT_EQ(hits.count(-1), 0) << shift;
+  }
+}
+
+// An edge flagged as accepted is >= 0 at all samples of its tile; a rejected tile has none covered.
+TEST(TileTest, FlagsAgreeWithEverySampleOfTheTile) {
+  Random random(73);
+  int accepted = 0;
+  int rejected = 0;
+  for (int n = 0; n < 400; ++n) {
+    const spec::Triangle t = random_triangle(random, Shape::k256Px);
+    spec::SetupPrim prim;
+    if (core::setup(kContract, kWindow, t, &prim) != core::Drop::kNone) continue;
+    core::TileWalk tiles(kContract, prim);
+    for (int index = 0;; ++index) {
+      core::Tile tile;
+      const auto test = tiles.next(&tile);
+      if (test == core::TileWalk::Test::kEnd) break;
+      const int columns = (prim.x1 >> 3) - (prim.x0 >> 3) + 1;
+      for (size_t i = 0; i < 3; ++i) {
+        int inside = 0;
+        for (int s = 0; s < 64; ++s) {
+          const int x = index % columns * 8 + s % 8;
+          const int y = index / columns * 8 + s / 8;
+          inside += prim.edge[i].e + x * prim.edge[i].a + y * prim.edge[i].b >= 0 ? 1 : 0;
+        }
+        const bool kept = test == core::TileWalk::Test::kKept;
+        if (kept) {
+          ASSERT_GT(inside, 0);
+          ASSERT_EQ((tile.accepted >> i & 1) != 0, inside == 64);
+          accepted += inside == 64 ? 1 : 0;
+        } else {
+          rejected += inside == 0 ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(accepted, 1000);
+  EXPECT_GT(rejected, 100);
+}
+
+TEST(StampWalk, TestsCountsTheWholeTileAtTwoByTwo) {
+  core::Tile tile;
+  tile.x1 = tile.y1 = 7;
+  EXPECT_EQ(core::StampWalk(kContract, tile).tests(), 16);
+  tile.x0 = 3;  // columns 1 to 3, rows 2 to 2 of stamps
+  tile.y0 = 4;
+  tile.y1 = 5;
+  core::StampWalk walk(kContract, tile);
+  EXPECT_EQ(walk.tests(), 3);
+  uint32_t mask = 0;
+  int x = 0;
+  int y = 0;
+  int calls = 0;
+  while (walk.next(&mask, &x, &y)) ++calls;
+  EXPECT_EQ(calls, 3);
+}
+
+// Equilateral triangles of a given area (px^2) at random places and angles: shares of those whose
+// box, and of those which themselves, hold no sample.
+struct Shares {
+  double empty_box = 0;
+  double empty = 0;
+};
+
+Shares micro_shares(double area_px2) {
+  constexpr int kTries = 20000;
+  Random random(74);
+  const double turn = 2 * std::acos(-1.0);
+  const double radius = kPx * std::sqrt(area_px2 * 4 / (3 * std::sqrt(3.0)));
+  int empty_box = 0;
+  int empty = 0;
+  for (int n = 0; n < kTries; ++n) {
+    const double x = kPx * (100 + random.unit());
+    const double y = kPx * (100 + random.unit());
+    const double angle = turn * random.unit();
+    const auto corner = [&](int i) {
+      const double a = angle + turn * i / 3;
+      return Point{static_cast<int>(std::lround(x + radius * std::cos(a))),
+                   static_cast<int>(std::lround(y + radius * std::sin(a)))};
+    };
+    const spec::Triangle t = triangle(corner(0), corner(1), corner(2));
+    EXPECT_EQ(coverage_difference(kHugeFrame, t), "");
+    spec::SetupPrim prim;
+    const core::Drop drop = core::setup(kContract, kHugeFrame, t, &prim);
+    empty_box += drop == core::Drop::kNoSample ? 1 : 0;
+    empty += judge(kHugeFrame, t).samples() == 0 ? 1 : 0;
+  }
+  return {1.0 * empty_box / kTries, 1.0 * empty / kTries};
+}
+
+TEST(MicroTriangles, ShareThatHitsNoSample) {
+  EXPECT_NEAR(micro_shares(.01).empty, .99, .01);
+  EXPECT_NEAR(micro_shares(.2).empty, .80, .015);
+  EXPECT_NEAR(micro_shares(.5).empty, .51, .015);
+  EXPECT_NEAR(micro_shares(1).empty, .16, .03);
+  EXPECT_EQ(micro_shares(16).empty, 0);
+}
+
+TEST(MicroTriangles, BoxWithoutASampleCullsMostOfTheSmallest) {
+  EXPECT_NEAR(micro_shares(.2).empty_box, .56, .03);
+}
+
+}  // namespace
+}  // namespace pineda::test

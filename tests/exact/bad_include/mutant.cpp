@@ -1,0 +1,2 @@
+// The proof that check_includes.sh can fail; never compiled.
+#include "model/core/setup.h"

@@ -1,0 +1,174 @@
+// The rates that the units promise, and the rules of their handshakes.
+#include <algorithm>
+
+#include "tests/rtl/support.h"
+
+namespace pineda::tb {
+namespace {
+
+using spec::Triangle;
+
+Triangle triangle(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t x2, int32_t y2) {
+  Triangle t;
+  const int32_t px = 1 << rtl().contract().design.subpixel_bits;
+  t.v[0].x = x0 * px, t.v[0].y = y0 * px;
+  t.v[1].x = x1 * px, t.v[1].y = y1 * px;
+  t.v[2].x = x2 * px, t.v[2].y = y2 * px;
+  return t;
+}
+
+spec::FrameState frame(int width, int height) {
+  spec::FrameState state;
+  state.width = width;
+  state.height = height;
+  return state;
+}
+
+std::vector<spec::SetupPrim> prims(const spec::FrameState& state,
+                                   const std::vector<Triangle>& triangles) {
+  vectors::SetupCase c{"", state, triangles, {}, {}};
+  return vectors::run_model(rtl().contract(), c).out;
+}
+
+std::vector<spec::Stamp> stamps(const spec::FrameState& state,
+                                const std::vector<Triangle>& triangles) {
+  vectors::TraversalCase c{"", state, prims(state, triangles), {}};
+  return vectors::run_model(rtl().contract(), c).out;
+}
+
+// Gaps between neighbouring cycles.
+std::vector<uint64_t> gaps(const std::vector<uint64_t>& cycles) {
+  std::vector<uint64_t> differences;
+  for (size_t i = 1; i < cycles.size(); ++i) differences.push_back(cycles[i] - cycles[i - 1]);
+  return differences;
+}
+
+TEST(SetupRtlRate, TakesATriangleAtEveryInterval) {
+  const int interval = rtl().contract().width.setup_interval_cycles;
+  EXPECT_LE(interval, 16);
+  SetupBench bench(rtl(), BenchOptions());
+  bench.set_frame(frame(64, 64));
+  std::vector<uint64_t> accepted;
+  bench.run(std::vector<Triangle>(20, triangle(0, 0, 40, 5, 10, 50)), &accepted);
+  EXPECT_EQ(gaps(accepted), std::vector<uint64_t>(19, static_cast<uint64_t>(interval)));
+}
+
+TEST(SetupRtlRate, DroppedTriangleTakesFiveCycles) {
+  SetupBench bench(rtl(), BenchOptions());
+  bench.set_frame(frame(64, 64));
+  std::vector<uint64_t> accepted;
+  const auto out = bench.run(std::vector<Triangle>(20, triangle(5, 5, 10, 10, 20, 20)), &accepted);
+  EXPECT_TRUE(out.tokens.empty());
+  EXPECT_EQ(gaps(accepted), std::vector<uint64_t>(19, 5));
+}
+
+TEST(TraversalRtlRate, NoBubbleInsideAcceptedTiles) {
+  const auto state = frame(256, 256);
+  TraversalBench bench(rtl(), BenchOptions());
+  // Covers the frame: every tile is accepted, so 128 x 128 stamps leave one a cycle.
+  const auto trace = bench.run(prims(state, {triangle(-300, -10, 300, -10, 128, 1000)}));
+  ASSERT_EQ(trace.tokens.size(), 128u * 128u);
+  EXPECT_EQ(trace.cycles.back() - trace.cycles.front(), trace.cycles.size() - 1);
+}
+
+TEST(TraversalRtlRate, TestsOneTileACycle) {
+  const auto state = frame(1024, 1024);
+  // A needle along the diagonal of a 128 x 128 box of tiles: nearly all of them are rejected.
+  const Triangle needle = triangle(0, 0, 1024, 1023, 1024, 1024);
+  TraversalBench bench(rtl(), BenchOptions());
+  std::vector<uint64_t> accepted;
+  bench.run(prims(state, {needle, needle}), &accepted);
+  ASSERT_EQ(accepted.size(), 2u);
+  const uint64_t tiles = 128 * 128;
+  EXPECT_GE(accepted[1] - accepted[0], tiles);
+  // The stamps of the kept tiles hide behind the rejected ones, but for the FIFO's edges.
+  EXPECT_LE(accepted[1] - accepted[0], tiles + tiles / 50);
+}
+
+class InterpZtestRtlRate : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Latency, InterpZtestRtlRate, testing::Values(1, 2, 8, 63, 64),
+                         testing::PrintToStringParamName());
+
+TEST_P(InterpZtestRtlRate, TakesAStampACycleWithoutHazards) {
+  const auto state = frame(64, 64);
+  BenchOptions options;
+  options.depth_latency_cycles = GetParam();
+  InterpZtestBench bench(rtl(), options);
+  std::vector<uint64_t> accepted;
+  bench.run(state, stamps(state, {triangle(-100, -10, 200, -10, 32, 400)}), &accepted);
+  ASSERT_EQ(accepted.size(), 32u * 32u);
+  EXPECT_EQ(accepted.back() - accepted.front(), accepted.size() - 1);
+}
+
+// The first stamp's read is accepted in t, its data are there in t + latency, tested in the next
+// cycle, written in the one after; the second read follows that.
+TEST_P(InterpZtestRtlRate, SameAddressWaitsForTheWriteAndNoLonger) {
+  const auto state = frame(64, 64);
+  BenchOptions options;
+  options.depth_latency_cycles = GetParam();
+  const auto one = stamps(state, {triangle(-100, -10, 200, -10, 32, 400)})[0];
+  InterpZtestBench bench(rtl(), options);
+  std::vector<uint64_t> accepted;
+  bench.run(state, std::vector<spec::Stamp>(6, one), &accepted);
+  EXPECT_EQ(gaps(accepted), std::vector<uint64_t>(5, static_cast<uint64_t>(GetParam()) + 3));
+}
+
+TEST_P(InterpZtestRtlRate, TimeDoesNotDependOnDepth) {
+  const auto state = frame(64, 64);
+  BenchOptions options;
+  options.depth_latency_cycles = GetParam();
+  auto near = triangle(0, 0, 20, 0, 0, 20);
+  auto far = near;
+  for (auto& v : far.v) v.z = 1 << 20;
+  std::vector<uint64_t> passing, failing;
+  InterpZtestBench(rtl(), options).run(state, stamps(state, {far, near, far}), &passing);
+  InterpZtestBench(rtl(), options).run(state, stamps(state, {near, far, far}), &failing);
+  EXPECT_EQ(passing, failing);
+}
+
+// Two triangles on the same pixels in consecutive cycles: the second sees the first one's depth.
+TEST(InterpZtestRtlHazard, OverlapInConsecutiveCyclesReadsAfterTheWrite) {
+  const auto state = frame(2, 2);
+  auto near = triangle(-10, -10, 30, -10, -10, 30);
+  near.v[0].attr[0] = near.v[1].attr[0] = near.v[2].attr[0] = 200;
+  auto far = near;
+  for (auto& v : far.v) v.z = 1 << 20, v.attr[0] = 100;
+  InterpZtestBench bench(rtl(), BenchOptions());
+  const auto in = stamps(state, {near, far});
+  ASSERT_EQ(in.size(), 2u);
+  const auto writes = bench.run(state, in);
+  EXPECT_EQ(writes.depth.tokens.size(), 1u);
+  EXPECT_EQ(bench.buffer().depth, std::vector<uint32_t>(4, 0));
+  EXPECT_EQ(bench.buffer().color[0], 200);
+}
+
+// Valid never waits for ready: with every consumer shut, each output is still offered.
+TEST(HandshakeRtl, ValidRisesWhileReadyIsLow) {
+  RtlUnit setup(rtl(), "setup");
+  SourceEnd<Triangle> in(setup, "tri");
+  SinkEnd<spec::SetupPrim> out(setup, "prim");
+  PayloadPort<spec::FrameState> state(setup, "frame_i");
+  setup.reset();
+  state.set(frame(64, 64));
+  in.offer(triangle(0, 0, 40, 5, 10, 50));
+  for (int cycle = 0; cycle < 40; ++cycle) {
+    setup.settle();
+    ASSERT_FALSE(out.taken());
+    const bool took = in.taken();
+    setup.clock();
+    if (took) in.withdraw();
+  }
+  setup.settle();
+  EXPECT_TRUE(out.offered());
+
+  RtlUnit interp(rtl(), "interp_ztest");
+  SourceEnd<spec::Stamp> stamp(interp, "stamp");
+  SinkEnd<spec::DepthRead> read(interp, "depth_rd");
+  interp.reset();
+  stamp.offer(stamps(frame(8, 8), {triangle(0, 0, 8, 0, 0, 8)})[0]);
+  interp.settle();
+  EXPECT_TRUE(read.offered());
+}
+
+}  // namespace
+}  // namespace pineda::tb

@@ -1,0 +1,74 @@
+#include "tests/rtl/support.h"
+
+namespace pineda::tb {
+
+const RtlLibrary& rtl() {
+  static const RtlLibrary library(spec::contract(spec::kHighTile), PINEDA_RTL);
+  return library;
+}
+
+const RtlLibrary& mutant() {
+  static const RtlLibrary library(spec::contract(spec::kHighTile), PINEDA_RTL_MUTANT);
+  return library;
+}
+
+spec::FrameState random_state(vectors::Rng* rng, int width, int height) {
+  spec::FrameState frame;
+  frame.width = width;
+  frame.height = height;
+  frame.cull = static_cast<spec::Cull>(rng->between(0, 2));
+  frame.depth = static_cast<spec::DepthFunc>(rng->between(0, 2));
+  return frame;
+}
+
+std::vector<spec::Triangle> random_triangles(vectors::Rng* rng, const spec::FrameState& frame,
+                                             int size_px, size_t count) {
+  const spec::Contract& c = rtl().contract();
+  const int64_t px = int64_t{1} << c.design.subpixel_bits;
+  const int64_t limit = px << c.design.guard_bits;
+  const int64_t size = size_px * px;
+  const auto inside = [&](int64_t x) {
+    return static_cast<int32_t>(std::clamp(x, -limit, limit - 1));
+  };
+  std::vector<spec::Triangle> triangles(count);
+  for (size_t i = 0; i < count; ++i) {
+    spec::Triangle& t = triangles[i];
+    t.id = static_cast<uint32_t>(i);
+    const int64_t x = rng->between(-size / 2, frame.width * px + size / 2);
+    const int64_t y = rng->between(-size / 2, frame.height * px + size / 2);
+    const int64_t wide = rng->between(0, 7) == 0 ? px : size;  // needles
+    for (spec::Vertex& v : t.v) {
+      v.x = inside(x + rng->between(-size / 2, size / 2));
+      v.y = inside(y + rng->between(-wide / 2, wide / 2));
+      v.z = rng->between(0, ((int64_t{1} << c.design.depth_bits) - 1) << 8);
+      for (int a = 0; a < c.design.attributes; ++a) {
+        v.attr[static_cast<size_t>(a)] = static_cast<int32_t>(rng->between(0, 255));
+      }
+    }
+    if (i > 0 && rng->between(0, 15) == 0) t.v[0] = triangles[i - 1].v[2];
+  }
+  return triangles;
+}
+
+vectors::SetupCase run(SetupBench* bench, const vectors::SetupCase& inputs) {
+  vectors::SetupCase got = inputs;
+  bench->set_frame(inputs.frame);
+  got.out = bench->run(inputs.in).tokens;
+  return got;
+}
+
+vectors::TraversalCase run(TraversalBench* bench, const vectors::TraversalCase& inputs) {
+  vectors::TraversalCase got = inputs;
+  got.out = bench->run(inputs.in).tokens;
+  return got;
+}
+
+vectors::InterpZtestCase run(InterpZtestBench* bench, const vectors::InterpZtestCase& inputs) {
+  vectors::InterpZtestCase got = inputs;
+  auto writes = bench->run(inputs.frame, inputs.in);
+  got.depth = std::move(writes.depth.tokens);
+  got.color = std::move(writes.color.tokens);
+  return got;
+}
+
+}  // namespace pineda::tb

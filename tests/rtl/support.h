@@ -1,0 +1,51 @@
+// What the RTL's tests share: the plug-ins, random triangles, and cases run on the benches.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tb/unit_bench.h"
+#include "vectors/file.h"
+#include "vectors/rng.h"
+
+namespace pineda::tb {
+
+/// The plug-in of the default design; the mutant has one fault in each unit (mutate.sh).
+const RtlLibrary& rtl();
+const RtlLibrary& mutant();
+
+/// The committed cases of a unit.
+template <class Case>
+std::vector<Case> committed_cases() {
+  const std::string unit = vectors::unit_name(Case::kUnit);
+  return vectors::read<Case>(std::string(PINEDA_VECTORS) + "/" + unit + "/level1_seed1.txt").cases;
+}
+
+/// Triangles about `size_px` wide anywhere around the frame; one in eight is a needle, one in
+/// sixteen reuses the vertex of the one before, so that edges meet.
+std::vector<spec::Triangle> random_triangles(vectors::Rng* rng, const spec::FrameState& frame,
+                                             int size_px, size_t count);
+spec::FrameState random_state(vectors::Rng* rng, int width, int height);
+
+/// A case's inputs on a bench: the case with what came out. The RTL does not tell the cause of a
+/// drop, so the expected ones stand.
+vectors::SetupCase run(SetupBench* bench, const vectors::SetupCase& inputs);
+vectors::TraversalCase run(TraversalBench* bench, const vectors::TraversalCase& inputs);
+vectors::InterpZtestCase run(InterpZtestBench* bench, const vectors::InterpZtestCase& inputs);
+
+/// The first difference of a case on a bench, or "" .
+template <class Bench, class Case>
+std::string first_difference(Bench* bench, const Case& expected) {
+  const auto text = vectors::difference(rtl().contract(), expected, run(bench, expected));
+  return text ? *text : std::string();
+}
+
+/// The stall modes as test parameters, by name.
+class StallTest : public testing::TestWithParam<StallMode> {};
+inline std::string stall_test_name(const testing::TestParamInfo<StallMode>& info) {
+  return stall_mode_name(info.param);
+}
+
+}  // namespace pineda::tb

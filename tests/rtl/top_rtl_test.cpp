@@ -1,0 +1,142 @@
+// Whole frames: the top against core at every boundary, the frame protocol, resets.
+#include "tb/scoreboard.h"
+#include "tests/rtl/support.h"
+
+namespace pineda::tb {
+namespace {
+
+NextTriangle from(const std::vector<spec::Triangle>& triangles) {
+  return [&triangles, i = size_t{0}](spec::Triangle* t) mutable {
+    if (i == triangles.size()) return false;
+    *t = triangles[i++];
+    return true;
+  };
+}
+
+// "" or what went wrong: a mismatch at a boundary or in the memories at the end.
+std::string check_frame(FrameBench* bench, const spec::FrameState& frame,
+                        const std::vector<spec::Triangle>& triangles) {
+  Scoreboard scoreboard("RTL", rtl().contract(), frame, from(triangles));
+  const FrameResult result = bench->run(frame, from(triangles), &scoreboard);
+  scoreboard.finish();
+  if (scoreboard.mismatches() != 0) return scoreboard.first_divergence();
+  const auto& model = scoreboard.renderer().buffer();
+  if (bench->buffer().depth != model.depth) return "depth memories differ";
+  if (bench->buffer().color != model.color) return "colour memories differ";
+  if (bench->buffer().hits != model.hits) return "hits differ";
+  return result.triangles == triangles.size() ? "" : "triangles were lost";
+}
+
+class TopRtl : public StallTest {};
+INSTANTIATE_TEST_SUITE_P(, TopRtl, testing::ValuesIn(kStallModes), stall_test_name);
+
+BenchOptions options(StallMode mode, int latency_cycles = 8) {
+  BenchOptions o;
+  o.stall_mode = mode;
+  o.seed = 7;
+  o.depth_latency_cycles = latency_cycles;
+  return o;
+}
+
+TEST_P(TopRtl, ReproducesTheFrameVectorsBackToBack) {
+  FrameBench bench(rtl(), options(GetParam()));
+  for (const auto& c : committed_cases<vectors::FrameCase>()) {
+    ASSERT_EQ(check_frame(&bench, c.frame, c.in), "") << c.name;
+    EXPECT_EQ(bench.buffer().depth, c.buffer.depth) << c.name;
+    EXPECT_EQ(bench.buffer().color, c.buffer.color) << c.name;
+    EXPECT_EQ(bench.buffer().hits, c.buffer.hits) << c.name;
+  }
+}
+
+TEST_P(TopRtl, MatchesModel) {
+  vectors::Rng rng(404 + static_cast<uint64_t>(GetParam()));
+  for (const int latency_cycles : {1, 3, 8, 64}) {
+    FrameBench bench(rtl(), options(GetParam(), latency_cycles));
+    for (int i = 0; i < 25; ++i) {
+      const auto frame = random_state(&rng, static_cast<int>(rng.between(1, 90)),
+                                      static_cast<int>(rng.between(1, 90)));
+      const auto triangles =
+          random_triangles(&rng, frame, static_cast<int>(rng.between(1, 60)), 250);
+      ASSERT_EQ(check_frame(&bench, frame, triangles), "") << "frame " << i;
+    }
+  }
+}
+
+TEST_P(TopRtl, OddFrames) {
+  vectors::Rng rng(5);
+  FrameBench bench(rtl(), options(GetParam()));
+  for (const auto& [width, height] : {std::pair(641, 479), {1, 1}, {9, 1}, {1, 17}, {7, 9}}) {
+    spec::FrameState frame;
+    frame.width = width;
+    frame.height = height;
+    EXPECT_EQ(check_frame(&bench, frame, random_triangles(&rng, frame, width, 40)), "")
+        << width << "x" << height;
+  }
+}
+
+TEST_P(TopRtl, EmptyFrameEnds) {
+  FrameBench bench(rtl(), options(GetParam()));
+  spec::FrameState frame;
+  frame.width = frame.height = 16;
+  EXPECT_EQ(check_frame(&bench, frame, {}), "");
+}
+
+TEST_P(TopRtl, ResetInTheMiddleOfAFrameLeavesAWorkingPipeline) {
+  vectors::Rng rng(6);
+  spec::FrameState frame;
+  frame.width = frame.height = 48;
+  const auto triangles = random_triangles(&rng, frame, 40, 60);
+  for (uint64_t cycles = 1; cycles < 1200; cycles += 37) {
+    FrameBench bench(rtl(), options(GetParam()));
+    bench.run_into_reset(frame, from(triangles), cycles);
+    ASSERT_EQ(check_frame(&bench, frame, triangles), "") << "reset after " << cycles << " cycles";
+  }
+}
+
+TEST(TopRtlProtocol, CyclesOfAFrameDoNotDependOnTheOneBefore) {
+  vectors::Rng rng(8);
+  spec::FrameState frame;
+  frame.width = frame.height = 64;
+  const auto triangles = random_triangles(&rng, frame, 30, 100);
+  FrameBench bench(rtl(), BenchOptions());
+  const uint64_t first = bench.run(frame, from(triangles), nullptr).cycles;
+  EXPECT_EQ(bench.run(frame, from(triangles), nullptr).cycles, first);
+}
+
+TEST(TopRtlMutant, IsCaughtAtTheFirstBoundary) {
+  vectors::Rng rng(9);
+  spec::FrameState frame;
+  frame.width = frame.height = 64;
+  FrameBench bench(mutant(), BenchOptions());
+  // The half-pixel lattice: samples lie on edges.
+  auto triangles = random_triangles(&rng, frame, 30, 200);
+  for (auto& t : triangles) {
+    for (auto& v : t.v) v.x &= ~127, v.y &= ~127;
+  }
+  const std::string text = check_frame(&bench, frame, triangles);
+  EXPECT_EQ(text.substr(0, 10), "RTL setup:") << text;
+  EXPECT_NE(text.find("setup_prim.e["), std::string::npos) << text;
+}
+
+TEST(TopRtlProtocol, RefusesALatencyItCannotKeep) {
+  EXPECT_THROW(FrameBench(rtl(), options(StallMode::kNone, 0)), RtlError);
+  EXPECT_THROW(FrameBench(rtl(), options(StallMode::kNone, 65)), RtlError);
+}
+
+TEST(RtlLibrary, RefusesAMissingPlugin) {
+  EXPECT_THROW(RtlLibrary(rtl().contract(), "/nonexistent/pineda_rtl.so"), RtlError);
+}
+
+TEST(RtlLibrary, RefusesAPluginOfAnotherPackage) {
+  spec::Design design = spec::kHighTile;
+  design.attributes = 3;
+  try {
+    const RtlLibrary library(spec::contract(design), PINEDA_RTL);
+    FAIL() << "not refused";
+  } catch (const RtlError& error) {
+    EXPECT_NE(std::string(error.what()).find("another package"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace pineda::tb

@@ -1,0 +1,159 @@
+// Designs: what can be built, what is refused and why; the widths that follow.
+#include "model/spec/design.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "model/spec/fields.h"
+#include "model/spec/reciprocal_rom.h"
+#include "model/spec/widths.h"
+
+namespace pineda::spec {
+namespace {
+
+TEST(Designs, EveryNamedOneCanBeBuiltAndIsFoundByItsName) {
+  ASSERT_FALSE(designs().empty());
+  for (const Design& design : designs()) {
+    EXPECT_EQ(invalid_reason(design), "") << design.name;
+    ASSERT_NE(find_design(design.name), nullptr);
+    EXPECT_EQ(find_design(design.name)->name, design.name);
+    EXPECT_NE(std::string(design.summary), "");
+  }
+  EXPECT_EQ(find_design("no such design"), nullptr);
+  EXPECT_NE(find_design("high_tile"), nullptr);
+}
+
+struct Refusal {
+  const char* what;  // must be named in the reason
+  int Design::*parameter;
+  int value;
+};
+
+TEST(InvalidReason, NamesTheParameterThatIsOutOfRange) {
+  const Refusal refusals[] = {
+      {"subpixel_bits", &Design::subpixel_bits, 3},
+      {"subpixel_bits", &Design::subpixel_bits, 13},
+      {"guard_bits", &Design::guard_bits, 15},
+      {"depth_bits", &Design::depth_bits, 15},
+      {"depth_bits", &Design::depth_bits, 25},
+      {"attributes", &Design::attributes, -1},
+      {"attributes", &Design::attributes, kMaxAttributes + 1},
+      {"attribute_bits", &Design::attribute_bits, 0},
+      {"attribute_bits", &Design::attribute_bits, 17},
+      {"reciprocal_lut_bits", &Design::reciprocal_lut_bits, 3},
+      {"reciprocal_newton_steps", &Design::reciprocal_newton_steps, 3},
+      {"reciprocal_bits", &Design::reciprocal_bits, 31},
+      {"gradient_fraction_bits", &Design::gradient_fraction_bits, 21},
+      {"tile_fraction_bits", &Design::tile_fraction_bits, 0},
+      {"tile_fraction_bits", &Design::tile_fraction_bits, 19},  // more than the gradients'
+      {"tile_log2", &Design::tile_log2, 1},
+      {"tile_log2", &Design::tile_log2, 7},
+      {"stamp_width_log2", &Design::stamp_width_log2, 3},
+      {"stamp_height_log2", &Design::stamp_height_log2, -1},
+      {"depth_latency_cycles", &Design::depth_latency_cycles, 0},
+      {"depth_latency_cycles", &Design::depth_latency_cycles, 65},
+  };
+  for (const Refusal& r : refusals) {
+    Design design = kHighTile;
+    design.*r.parameter = r.value;
+    const std::string reason = invalid_reason(design);
+    EXPECT_NE(reason.find(r.what), std::string::npos)
+        << r.what << " = " << r.value << ": " << reason;
+    EXPECT_EQ(reason.find('\n'), std::string::npos);
+  }
+}
+
+TEST(InvalidReason, ReciprocalTooShortForTheGradientIsRefused) {
+  Design design = kHighTile;
+  design.reciprocal_bits = design.gradient_fraction_bits + design.subpixel_bits - 1;
+  EXPECT_NE(invalid_reason(design).find("reciprocal_bits"), std::string::npos);
+  ++design.reciprocal_bits;
+  EXPECT_EQ(invalid_reason(design), "");
+}
+
+struct WidthRow {
+  int subpixel_bits, coord, edge_coeff, area2, edge, tile_edge, z_numerator, attr_numerator;
+};
+
+// The documented table, row by row; 8x8 tiles, z24.8 and u8.
+TEST(Widths, TableOfTheDocumentation) {
+  const WidthRow rows[] = {{4, 19, 20, 39, 35, 24, 52, 28},
+                           {8, 23, 24, 47, 39, 28, 56, 32},
+                           {12, 27, 28, 55, 43, 32, 60, 36}};
+  for (const WidthRow& row : rows) {
+    Design design = kHighTile;
+    design.subpixel_bits = row.subpixel_bits;
+    const Widths w = widths(design);
+    EXPECT_EQ(w.coord, row.coord);
+    EXPECT_EQ(w.edge_coeff, row.edge_coeff);
+    EXPECT_EQ(w.area2, row.area2);
+    EXPECT_EQ(w.edge, row.edge);
+    EXPECT_EQ(w.tile_edge, row.tile_edge);
+    EXPECT_EQ(w.depth_numerator, row.z_numerator);
+    EXPECT_EQ(w.attr_numerator, row.attr_numerator);
+    design.tile_log2 = 6;  // 64x64
+    EXPECT_EQ(widths(design).tile_edge, row.tile_edge + 3);
+  }
+}
+
+TEST(Widths, DefaultPlanesAre26AndTenIntegerBits) {
+  const Widths w = widths(kHighTile);
+  EXPECT_EQ(w.depth_plane, 26 + 18);
+  EXPECT_EQ(w.depth_tile_plane, 26 + 8);
+  EXPECT_EQ(w.attr_plane, 10 + 18);
+  EXPECT_EQ(w.attr_tile_plane, 10 + 8);
+  EXPECT_EQ(w.area2_length, 6);
+  EXPECT_EQ(w.lanes, 4);
+  EXPECT_EQ(w.pixel, 14);
+  EXPECT_EQ(w.frame_size, 15);
+}
+
+TEST(Widths, FieldsOfTheTablesCarryThem) {
+  const Contract c = contract(kHighTile);
+  const auto format = [](const auto& table, const std::string& name) {
+    for (const auto& f : table) {
+      if (name == f.name) return format_name(f.is_signed, f.bits, f.fraction_bits, f.unit);
+    }
+    return std::string("no such field");
+  };
+  EXPECT_EQ(format(fields<Triangle>(c), "x"), "sQ14.8 px");
+  EXPECT_EQ(format(fields<Triangle>(c), "z"), "uQ24.8 code");
+  EXPECT_EQ(format(fields<SetupPrim>(c), "a"), "sQ15.8 px");
+  EXPECT_EQ(format(fields<SetupPrim>(c), "e"), "sQ30.8 px^2");
+  EXPECT_EQ(format(fields<SetupPrim>(c), "z_dx"), "sQ25.18 code/px");
+  EXPECT_EQ(format(fields<Stamp>(c), "z_ref"), "sQ25.8 code");
+  EXPECT_EQ(format(fields<Stamp>(c), "mask"), "u4 lane");
+}
+
+class ReciprocalRom : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(LutBits, ReciprocalRom, testing::Values(4, 7, 8, 10, 12));
+
+// Each entry fits its bits, the table falls, and the first guess is as good as stated at both ends
+// of its cell: value = (2^bits + entry)/2^(bits+1) against 1/(2m).
+TEST_P(ReciprocalRom, EntriesFitTheirBitsAndMeetTheirBound) {
+  Design design = kHighTile;
+  design.reciprocal_lut_bits = GetParam();
+  const int bits = reciprocal_rom_bits(design);
+  const int entries = 1 << GetParam();
+  int64_t last = int64_t{1} << bits;
+  double worst = 0;
+  for (int i = 0; i < entries; ++i) {
+    const int64_t entry = reciprocal_rom(design, i);
+    ASSERT_GE(entry, 0) << i;
+    ASSERT_LT(entry, int64_t{1} << bits) << i;
+    ASSERT_LE(entry, last) << i;
+    last = entry;
+    const double value = static_cast<double>((int64_t{1} << bits) + entry) / (2 << bits);
+    for (const int end : {i, i + 1}) {
+      const double m = static_cast<double>(entries + end) / (2 * entries);
+      worst = std::max(worst, std::abs(2 * m * value - 1));
+    }
+  }
+  // Half a cell and half a unit of the entry: (2^-1 + 2^-3) * 2^-lut_bits.
+  EXPECT_LE(worst, .625 / entries);
+  EXPECT_GT(worst, 1.0 / (4.0 * entries));  // no table of this length can do much better
+}
+
+}  // namespace
+}  // namespace pineda::spec

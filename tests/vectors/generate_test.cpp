@@ -1,0 +1,95 @@
+// The generator: the same every time, and borne out by the judge or not at all.
+#include "vectors/generate.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/vectors/samples.h"
+#include "vectors/rng.h"
+
+namespace pineda::vectors {
+namespace {
+
+template <class Case>
+std::string generated(uint64_t seed) {
+  return write_text(generate<Case>(kContract, 1, seed, Bounds(), nullptr));
+}
+
+TEST(Rng, FirstNumbersAreThoseOfSplitmix64) {
+  Rng rng(1234567);  // the reference program's published sequence
+  EXPECT_EQ(rng.next(), 6457827717110365317u);
+  EXPECT_EQ(rng.next(), 3203168211198807973u);
+  EXPECT_EQ(rng.next(), 9817491932198370423u);
+}
+
+TEST(Generator, SameSeedGivesTheSameBytesAndAnotherSeedDoesNot) {
+  EXPECT_EQ(generated<SetupCase>(7), generated<SetupCase>(7));
+  EXPECT_NE(generated<SetupCase>(7), generated<SetupCase>(8));
+}
+
+TEST(Generator, TallyAccountsForEveryScene) {
+  Tally tally;
+  generate<TraversalCase>(kContract, 1, 3, Bounds(), &tally);
+  EXPECT_EQ(tally.cases + tally.empty + tally.large, scenes(kContract, 1, 3).size());
+}
+
+TEST(Generator, LevelTwoBeginsEachClassAsLevelOneDoes) {
+  const auto small = scenes(kContract, 1, 9);
+  const auto large = scenes(kContract, 2, 9);
+  EXPECT_EQ(large.size(), 8 * small.size());
+  EXPECT_EQ(large[0].name, small[0].name);
+  EXPECT_EQ(large[0].triangles[0].v[0].z, small[0].triangles[0].v[0].z);
+}
+
+TEST(Generator, EveryVertexLiesInsideTheFormats) {
+  const int64_t guard = int64_t{1} << (spec::kHighTile.guard_bits + spec::kHighTile.subpixel_bits);
+  int64_t least = 0;
+  int64_t greatest = 0;
+  for (const Scene& scene : scenes(kContract, 1, 4)) {
+    for (const auto& triangle : scene.triangles) {
+      for (const auto& v : triangle.v) {
+        least = std::min<int64_t>({least, v.x, v.y});
+        greatest = std::max<int64_t>({greatest, v.x, v.y});
+        EXPECT_TRUE(v.z >= 0 && v.z <= 0xffffff00);
+      }
+    }
+  }
+  EXPECT_EQ(least, -guard);  // reached, and not passed
+  EXPECT_EQ(greatest, guard - 1);
+}
+
+TEST(Misjudged, SceneWithinTheBoundsIsBorneOut) {
+  const Scene scene{"sample.0", sample_frame(), sample_triangles()};
+  EXPECT_EQ(misjudged(kContract, scene, Bounds()), std::nullopt);
+}
+
+TEST(Misjudged, BoundBelowTheLastRoundingIsRefused) {
+  Bounds depth;
+  depth.depth_codes = .4;
+  EXPECT_THROW(generate<SetupCase>(kContract, 1, 1, depth, nullptr), Misjudged);
+  Bounds attribute;
+  attribute.attribute_lsb = .4;
+  EXPECT_THROW(generate<FrameCase>(kContract, 1, 1, attribute, nullptr), Misjudged);
+}
+
+// Mutant: a model with an edge too narrow for its values covers the wrong samples.
+TEST(Misjudged, WrongCoverageIsSeen) {
+  spec::Contract narrow = kContract;
+  narrow.width.tile_edge = 12;
+  const Scene scene{"sample.0", sample_frame(), sample_triangles()};
+  const std::string text = misjudged(narrow, scene, Bounds()).value_or("none");
+  EXPECT_EQ(text.find("scene sample.0, triangle "), 0u) << text;
+  EXPECT_NE(text.find("sample"), std::string::npos) << text;
+}
+
+// Mutant: depth planes a few bits too narrow give wrong codes.
+TEST(Misjudged, WrongDepthIsSeen) {
+  spec::Contract narrow = kContract;
+  narrow.width.depth_plane -= 10;
+  Scene scene{"deep.0", sample_frame(), sample_triangles()};
+  for (auto& v : scene.triangles[0].v) v.z = 0xfffff000;
+  const std::string text = misjudged(narrow, scene, Bounds()).value_or("none");
+  EXPECT_NE(text.find("codes off"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace pineda::vectors

@@ -1,0 +1,218 @@
+// Files that must not be taken, each with its one line.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/vectors/samples.h"
+
+namespace pineda::vectors {
+namespace {
+
+// The text with the first `from` replaced by `to`.
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  const size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+// Line `number` (from 1) of the text.
+std::string line(const std::string& text, int number) {
+  size_t from = 0;
+  for (int i = 1; i < number; ++i) from = text.find('\n', from) + 1;
+  return text.substr(from, text.find('\n', from) - from);
+}
+
+// Number of the line in which `part` begins; a part that begins with a line's end counts as there.
+int line_of(const std::string& text, const std::string& part) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(text.find(part));
+  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
+}
+
+template <class Case>
+std::string refusal(const std::string& text) {
+  try {
+    read_text<Case>("f.txt", text);
+  } catch (const Refused& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+void expect_refusal(const std::string& got, int number, const std::string& part) {
+  EXPECT_EQ(got.find(fmt::format("f.txt:{}: expected ", number)), 0u) << got;
+  EXPECT_NE(got.find(part), std::string::npos) << got;
+  EXPECT_EQ(got.find('\n'), std::string::npos) << got;
+}
+
+class Refusal : public testing::Test {
+ protected:
+  const std::string setup_ = write_text(sample_file<SetupCase>());
+  const std::string traversal_ = write_text(sample_file<TraversalCase>());
+  const std::string interp_ = write_text(sample_file<InterpZtestCase>());
+  const std::string frame_ = write_text(sample_file<FrameCase>());
+};
+
+TEST_F(Refusal, UnchangedFileIsTaken) {
+  EXPECT_EQ(refusal<SetupCase>(setup_), "taken");
+  EXPECT_EQ(refusal<TraversalCase>(traversal_), "taken");
+  EXPECT_EQ(refusal<InterpZtestCase>(interp_), "taken");
+  EXPECT_EQ(refusal<FrameCase>(frame_), "taken");
+}
+
+TEST_F(Refusal, OtherVersion) {
+  expect_refusal(refusal<SetupCase>(changed(setup_, "vectors 1", "vectors 2")), 1,
+                 "'pineda-vectors 1', got 'pineda-vectors 2'");
+}
+
+TEST_F(Refusal, EmptyFile) { expect_refusal(refusal<SetupCase>(""), 1, "the end of the file"); }
+
+TEST_F(Refusal, OtherUnit) {
+  expect_refusal(refusal<SetupCase>(traversal_), 2, "the unit setup, got traversal");
+}
+
+TEST_F(Refusal, UnknownUnit) {
+  expect_refusal(refusal<SetupCase>(changed(setup_, "unit setup", "unit rop")), 2, "got rop");
+}
+
+TEST_F(Refusal, UnknownDesign) {
+  expect_refusal(refusal<SetupCase>(changed(setup_, "high_tile", "high_tide")), 3, "got high_tide");
+}
+
+TEST_F(Refusal, SeedThatIsNoNumber) {
+  expect_refusal(refusal<SetupCase>(changed(setup_, "seed 5", "seed 5x")), 5, "got '5x'");
+}
+
+TEST_F(Refusal, StaleFormatsHash) {
+  const std::string present = line(setup_, 6).substr(8);
+  const std::string stale = "0123456789abcdef";
+  const std::string got = refusal<SetupCase>(changed(setup_, present, stale));
+  expect_refusal(got, 6, present);
+  EXPECT_NE(got.find("got " + stale), std::string::npos) << got;
+}
+
+TEST_F(Refusal, WrongCount) {
+  expect_refusal(refusal<SetupCase>(changed(setup_, "cases 2", "cases 3")), 7,
+                 "2 cases, as the file holds, got 3");
+}
+
+TEST_F(Refusal, WrongContentHash) {
+  const std::string hash = line(setup_, 8).substr(8);
+  const std::string got = refusal<SetupCase>(changed(setup_, hash, "fedcba9876543210"));
+  expect_refusal(got, 8, hash);
+}
+
+TEST_F(Refusal, OneDigitOfAnOutputChanged) {
+  std::string text = setup_;
+  char& digit = text[text.rfind("setup_prim") + 30];
+  ASSERT_NE(digit, ' ');
+  digit = digit == '0' ? '1' : '0';
+  expect_refusal(refusal<SetupCase>(text), 8, "the hash");
+}
+
+TEST_F(Refusal, ColumnsOfOtherNames) {
+  expect_refusal(refusal<SetupCase>(changed(setup_, "width height", "height width")), 9,
+                 "'columns frame width height cull depth'");
+}
+
+TEST_F(Refusal, CutInsideALine) {
+  const std::string cut = setup_.substr(0, setup_.rfind("setup_prim") + 22);
+  const int last = 1 + static_cast<int>(std::count(cut.begin(), cut.end(), '\n'));
+  expect_refusal(refusal<SetupCase>(cut), last, "4 hex digits of setup_prim x0, got '00'");
+}
+
+TEST_F(Refusal, CutBetweenTwoLinesOfACase) {
+  const std::string cut = setup_.substr(0, setup_.rfind("end"));
+  const int last = static_cast<int>(std::count(cut.begin(), cut.end(), '\n'));
+  expect_refusal(refusal<SetupCase>(cut), last + 1,
+                 "'end' of case sample.0, got the end of the file");
+}
+
+TEST_F(Refusal, CutBetweenTwoCases) {
+  expect_refusal(refusal<SetupCase>(setup_.substr(0, setup_.rfind("\ncase"))), 7,
+                 "1 cases, as the file holds, got 2");
+}
+
+TEST_F(Refusal, BadHex) {
+  const int number = line_of(setup_, "\ntriangle") + 1;
+  expect_refusal(refusal<SetupCase>(changed(setup_, "triangle 00000000", "triangle 0000000G")),
+                 number, "8 hex digits of triangle id, got '0000000G'");
+  expect_refusal(refusal<SetupCase>(changed(setup_, "triangle 00000000", "triangle 0000000")),
+                 number, "8 hex digits of triangle id, got '0000000'");
+  expect_refusal(refusal<SetupCase>(changed(setup_, "triangle 00000000", "triangle  00000000")),
+                 number, "got ''");
+}
+
+TEST_F(Refusal, ValueWiderThanItsField) {
+  // x has 23 bits in six digits: the top bit of the first digit must be 0.
+  expect_refusal(
+      refusal<SetupCase>(changed(setup_, "triangle 00000000 000080", "triangle 00000000 800080")),
+      line_of(setup_, "\ntriangle") + 1, "a value of 23 bits for triangle x[0], got '800080'");
+}
+
+TEST_F(Refusal, ColumnTooMany) {
+  expect_refusal(refusal<SetupCase>(changed(setup_, "drop zero_area", "drop zero_area 0")),
+                 line_of(setup_, "drop"), "'drop' and zero_area");
+  expect_refusal(refusal<SetupCase>(changed(setup_, "0007 0006 0 0\n", "0007 0006 0 0 0\n")),
+                 line_of(setup_, "\nframe") + 1, "4 columns of frame, got 5");
+}
+
+TEST_F(Refusal, UnknownCauseOfADrop) {
+  expect_refusal(refusal<SetupCase>(changed(setup_, "drop zero_area", "drop kept")),
+                 line_of(setup_, "drop"), "got 'drop kept'");
+}
+
+TEST_F(Refusal, TriangleWithoutAnOutcome) {
+  expect_refusal(refusal<SetupCase>(changed(setup_, "drop zero_area\n", "")),
+                 line_of(setup_, "\nend"), "for triangle 2, got 'end'");
+}
+
+TEST_F(Refusal, StateThatMeansNothing) {
+  const int number = line_of(setup_, "\nframe") + 1;
+  const auto with = [&](const char* state) {
+    return refusal<SetupCase>(changed(setup_, "frame 0007 0006 0 0", state));
+  };
+  expect_refusal(with("frame 0000 0006 0 0"), number, "a frame of at least 1 x 1 px");
+  expect_refusal(with("frame 0007 0006 3 0"), number, "cull 0, 1 or 2");
+  expect_refusal(with("frame 0007 0006 0 3"), number, "depth 0, 1 or 2");
+}
+
+TEST_F(Refusal, FrameTooLargeForMemory) {
+  expect_refusal(refusal<FrameCase>(changed(frame_, "0007 0006", "4000 4000")),
+                 line_of(frame_, "\nframe") + 1, "at most 65536 samples, got 268435456");
+}
+
+TEST_F(Refusal, StampOutsideTheFrame) {
+  const std::string address = "stamp 00000000 0000 0000 ";
+  const int number = line_of(interp_, address);
+  for (const char* moved : {"stamp 00000000 0004 0000 ", "stamp 00000000 0000 0003 "}) {
+    expect_refusal(refusal<InterpZtestCase>(changed(interp_, address, moved)), number,
+                   "a stamp that covers samples of the frame, and no others");
+  }
+}
+
+TEST_F(Refusal, RowOfAFrameMissingOrShort) {
+  const size_t at = frame_.find("\nhits");
+  const size_t next = frame_.find('\n', at + 1);
+  std::string missing = frame_;
+  missing.erase(at, next - at);
+  expect_refusal(refusal<FrameCase>(missing), line_of(frame_, "\nend"), "'hits' and 7 samples");
+  std::string short_row = frame_;
+  short_row.erase(next - 5, 5);
+  expect_refusal(refusal<FrameCase>(short_row), line_of(frame_, "\nhits") + 1, "7 samples");
+}
+
+TEST(RefusalOfAPath, FileThatDoesNotExist) {
+  for (const auto read_it : {+[] { read<SetupCase>("absent.txt"); },
+                             +[] { static_cast<void>(read_header("absent.txt")); }}) {
+    try {
+      read_it();
+      FAIL() << "taken";
+    } catch (const Refused& error) {
+      EXPECT_EQ(std::string(error.what()).find("absent.txt: expected "), 0u) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pineda::vectors

@@ -1,0 +1,55 @@
+// Writing and reading back.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/vectors/samples.h"
+
+namespace pineda::vectors {
+namespace {
+
+template <class Case>
+class RoundTrip : public testing::Test {
+ protected:
+  // Each test its own folder: they run at the same time.
+  const std::string folder_ = testing::TempDir() + "pineda_vectors_" + unit_name(Case::kUnit) +
+                              "_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+};
+using Cases = testing::Types<SetupCase, TraversalCase, InterpZtestCase, FrameCase>;
+TYPED_TEST_SUITE(RoundTrip, Cases);
+
+TYPED_TEST(RoundTrip, ReadingBackGivesTheSameBytes) {
+  const std::string text = write_text(sample_file<TypeParam>());
+  const auto file = read_text<TypeParam>("memory", text);
+  EXPECT_EQ(write_text(file), text);
+  EXPECT_EQ(file.seed, 5u);
+  ASSERT_EQ(file.cases.size(), 2u);
+  EXPECT_EQ(difference(kContract, sample_case<TypeParam>(), file.cases[1]), std::nullopt);
+  // The inputs too: the model makes the same of them.
+  EXPECT_EQ(difference(kContract, file.cases[0], run_model(kContract, file.cases[0])),
+            std::nullopt);
+}
+
+TYPED_TEST(RoundTrip, FileIsWrittenWholeAndNothingBesideIt) {
+  const std::string path = this->folder_ + "/a.txt";
+  write(path, sample_file<TypeParam>());
+  write(path, sample_file<TypeParam>());  // over an existing file
+  EXPECT_EQ(write_text(read<TypeParam>(path)), write_text(sample_file<TypeParam>()));
+  const std::filesystem::directory_iterator files(this->folder_);
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1);
+}
+
+TYPED_TEST(RoundTrip, PathThatCannotBeWrittenIsRefusedByName) {
+  const std::string path = this->folder_ + "/absent/a.txt";
+  try {
+    write(path, sample_file<TypeParam>());
+    FAIL() << "written";
+  } catch (const Refused& error) {
+    EXPECT_NE(std::string(error.what()).find(path), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace pineda::vectors

@@ -1,0 +1,89 @@
+// Test vectors: what each unit is given and the bits that must come out, in order.
+// The model's tests and the RTL's tests read the same files; README.md holds the grammar.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/core/frame.h"
+
+namespace pineda::vectors {
+
+enum class Unit { kSetup, kTraversal, kInterpZtest, kFrame };
+
+/// "setup", "traversal", "interp_ztest", "frame".
+const char* unit_name(Unit unit);
+std::optional<Unit> find_unit(const std::string& name);
+
+/// Greatest frame whose memories a case may ask for (interp_ztest, frame).
+inline constexpr int64_t kMaxFrameSamples = 65536;
+
+/// Triangles in; a SetupPrim or the cause of the drop out, in order.
+struct SetupCase {
+  static constexpr Unit kUnit = Unit::kSetup;
+  std::string name;
+  spec::FrameState frame;
+  std::vector<spec::Triangle> in;
+  std::vector<core::Drop> drops;     // one for each triangle; kNone: it is in `out`
+  std::vector<spec::SetupPrim> out;  // of the triangles that are not dropped
+};
+
+/// SetupPrims in, the stamps of all of them out. No empty stamps.
+struct TraversalCase {
+  static constexpr Unit kUnit = Unit::kTraversal;
+  std::string name;
+  spec::FrameState frame;
+  std::vector<spec::SetupPrim> in;
+  std::vector<spec::Stamp> out;
+};
+
+/// Stamps in, the writes of each stream out. The depth memory starts cleared to the greatest code
+/// and sees every write of an earlier stamp. Every lane of a stamp lies inside the frame.
+struct InterpZtestCase {
+  static constexpr Unit kUnit = Unit::kInterpZtest;
+  std::string name;
+  spec::FrameState frame;
+  std::vector<spec::Stamp> in;
+  std::vector<spec::DepthWrite> depth;
+  std::vector<spec::ColorWrite> color;
+};
+
+/// Triangles in; the memories at the end of the frame and its counters out.
+struct FrameCase {
+  static constexpr Unit kUnit = Unit::kFrame;
+  std::string name;
+  spec::FrameState frame;
+  std::vector<spec::Triangle> in;
+  core::FrameBuffer buffer;
+  core::FrameCounters counters;
+};
+
+/// A counter of a frame, as files and mismatch lines name it.
+struct Counter {
+  const char* name;
+  uint64_t (*get)(const core::FrameCounters&);
+  void (*set)(core::FrameCounters&, uint64_t);
+};
+const std::vector<Counter>& counters();
+
+/// What the functional model makes of the case's inputs: the same case with fresh outputs.
+SetupCase run_model(const spec::Contract& contract, const SetupCase& inputs);
+TraversalCase run_model(const spec::Contract& contract, const TraversalCase& inputs);
+InterpZtestCase run_model(const spec::Contract& contract, const InterpZtestCase& inputs);
+FrameCase run_model(const spec::Contract& contract, const FrameCase& inputs);
+
+/// The first output in which `got` differs, in the order of the streams, or nothing:
+/// "setup case sliver.3: setup_prim 2: e[1]: expected 0x7fffffffff (-0.00390625 px^2), got ...".
+/// The inputs are not compared.
+std::optional<std::string> difference(const spec::Contract& contract, const SetupCase& expected,
+                                      const SetupCase& got);
+std::optional<std::string> difference(const spec::Contract& contract, const TraversalCase& expected,
+                                      const TraversalCase& got);
+std::optional<std::string> difference(const spec::Contract& contract,
+                                      const InterpZtestCase& expected, const InterpZtestCase& got);
+std::optional<std::string> difference(const spec::Contract& contract, const FrameCase& expected,
+                                      const FrameCase& got);
+
+}  // namespace pineda::vectors
