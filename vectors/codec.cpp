@@ -153,7 +153,7 @@ template <class Value>
 std::string Codec<FrameCase>::write_rows(const char* keyword, const std::vector<Value>& memory,
                                          int width, int bits, int per_sample) const {
   std::string text;
-  const auto row = static_cast<size_t>(width * per_sample);
+  const auto row = static_cast<size_t>(width) * static_cast<size_t>(per_sample);
   for (size_t i = 0; i < memory.size(); ++i) {
     if (i % row == 0) text += keyword;
     if (i % static_cast<size_t>(per_sample) == 0) text += " ";

@@ -7,7 +7,6 @@
 
 namespace pineda::vectors {
 
-using spec::Triangle;
 using spec::Vertex;
 
 int64_t Draw::far() const {

@@ -41,12 +41,19 @@ struct FrameCounters {
   uint64_t passed = 0;          // samples written
 };
 
-/// Draws triangles one by one. With a Sink, hands over each token at each unit boundary in order:
-/// sink.prim(SetupPrim), sink.stamp(Stamp), sink.depth(DepthWrite), sink.color(ColorWrite).
+/// Rows of tiles, first to last.
+struct TileRows {
+  int first = 0;
+  int last = 1 << 16;  // more than any frame has
+};
+
+/// Draws triangles one by one, or the part of them that lies in some rows of tiles. With a Sink,
+/// hands over each token at each unit boundary in order: sink.prim(SetupPrim), sink.stamp(Stamp),
+/// sink.depth(DepthWrite), sink.color(ColorWrite).
 class Renderer {
  public:
-  Renderer(const spec::Contract& contract, const spec::FrameState& frame)
-      : contract_(contract), frame_(frame), buffer_(contract, frame) {}
+  Renderer(const spec::Contract& contract, const spec::FrameState& frame, TileRows rows = {})
+      : contract_(contract), frame_(frame), rows_(rows), buffer_(contract, frame) {}
 
   const spec::Contract& contract() const { return contract_; }
   const spec::FrameState& frame() const { return frame_; }
@@ -68,6 +75,7 @@ class Renderer {
 
   spec::Contract contract_;
   spec::FrameState frame_;
+  TileRows rows_;
   FrameBuffer buffer_;
   FrameCounters counters_;
 };
@@ -79,6 +87,7 @@ Drop Renderer::draw(const spec::Triangle& triangle, Sink&& sink) {
   ++counters_.triangles;
   ++counters_.dropped[static_cast<size_t>(drop)];
   if (drop != Drop::kNone) return drop;
+  if (!clip_rows(contract_, rows_.first, rows_.last, &prim)) return drop;
   sink.prim(prim);
 
   TileWalk tiles(contract_, prim);

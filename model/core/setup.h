@@ -33,13 +33,13 @@ Reciprocal reciprocal(const spec::Contract& contract, int64_t area2);
 
 /// Bits     the definition of every output bit of setup.
 /// In       a triangle with vertices inside the guard band; the frame's state.
-/// Out      *prim when the result is kNone: canonical order (topmost, then leftmost vertex first,
+/// Out      *out when the result is kNone: canonical order (topmost, then leftmost vertex first,
 ///          positive area), edges and planes at the first sample of the box's first tile.
-/// Drops    says why, and leaves *prim as it was.
+/// Drops    says why, and leaves *out as it was.
 /// Errors   none: every intermediate fits by widths(), and what may wrap wraps by design.
 /// Twin     rtl/setup_unit.sv. Source: Pineda, SIGGRAPH 1988; Direct3D 11.3 spec 3.4.2.1
 /// (top-left).
 Drop setup(const spec::Contract& contract, const spec::FrameState& frame,
-           const spec::Triangle& triangle, spec::SetupPrim* prim);
+           const spec::Triangle& triangle, spec::SetupPrim* out);
 
 }  // namespace pineda::core

@@ -10,6 +10,24 @@ using spec::round_half_up;
 using spec::SetupPrim;
 using spec::wrap;
 
+bool clip_rows(const Contract& c, int first, int last, SetupPrim* prim) {
+  const int log2 = c.design.tile_log2;
+  const int from = prim->y0 >> log2;
+  if ((prim->y1 >> log2) < first || from > last) return false;
+  prim->y1 = std::min(prim->y1, (last << log2) + (1 << log2) - 1);
+  if (from >= first) return true;
+  // Steps of whole tiles are exact, modulo the plane's width.
+  const int64_t rows = int64_t{first - from} << log2;
+  prim->y0 = first << log2;
+  for (auto& edge : prim->edge) edge.e += edge.b * rows;
+  const auto down = [rows](Plane* p, int bits) { p->ref = wrap(p->ref + p->dy * rows, bits); };
+  down(&prim->planes.z, c.width.depth_plane);
+  for (size_t i = 0; i < static_cast<size_t>(c.design.attributes); ++i) {
+    down(&prim->planes.attr[i], c.width.attr_plane);
+  }
+  return true;
+}
+
 TileWalk::TileWalk(const Contract& contract, const SetupPrim& prim)
     : contract_(contract),
       prim_(prim),

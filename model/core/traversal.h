@@ -7,6 +7,10 @@ namespace pineda::core {
 
 using spec::Tile;
 
+/// The part of a triangle in the rows of tiles first .. last, with the same bits: edges and planes
+/// are moved to the first tile of its first row. False if there is no such part.
+bool clip_rows(const spec::Contract& contract, int first, int last, spec::SetupPrim* prim);
+
 /// Walks the tiles of a triangle's box, row by row from the top, each from the left.
 ///
 /// Bits     the definition. A tile is rejected when one edge is negative at that edge's best

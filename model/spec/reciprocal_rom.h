@@ -14,7 +14,8 @@ constexpr int reciprocal_rom_bits(const Design& d) { return d.reciprocal_lut_bit
 /// / 1.7.
 constexpr int64_t reciprocal_rom(const Design& d, int index) {
   const int l = d.reciprocal_lut_bits;
-  const int64_t denominator = (int64_t{2} << l) + 1 + 2 * index;  // (m_low + m_high) * 2^(l+1)
+  // (m_low + m_high) * 2^(l+1)
+  const int64_t denominator = (int64_t{2} << l) + 1 + 2 * int64_t{index};
   const int64_t scaled = int64_t{1} << (2 * l + 3);
   return (2 * scaled + denominator) / (2 * denominator) - (int64_t{2} << l);
 }

@@ -59,8 +59,8 @@ constexpr Widths widths(const Design& d) {
   // Samples are a whole pixel apart: the low S bits of E - bias never change and carry no sign.
   w.edge = w.area2 - d.subpixel_bits;
   // An edge that neither rejects nor accepts a tile of T has |E'| <= (T-1)(|a|+|b|) inside it.
-  w.tile_edge = 1 + ceil_log2(2 * ((1 << d.tile_log2) - 1)) + span;
-  w.area2_length = bit_length(static_cast<uint64_t>(2 * span));
+  w.tile_edge = 1 + ceil_log2(2 * ((uint64_t{1} << d.tile_log2) - 1)) + span;
+  w.area2_length = bit_length(2 * static_cast<uint64_t>(span));
   w.depth_in = d.depth_bits + kDepthInputFractionBits;
   // dz1*dy2 - dz2*dy1 is the doubled area of a triangle in a box of 2^depth_in by 2^span.
   w.depth_numerator = 1 + w.depth_in + span;

@@ -1,0 +1,216 @@
+// pineda check: functional model, SystemC model and Verilated RTL on one scene, compared at every
+// unit boundary, and judged by exact arithmetic.
+#include <memory>
+
+#include "cli/judge.h"
+#include "cli/models.h"
+#include "cli/pictures.h"
+#include "cli/report.h"
+#include "cli/triangles.h"
+#include "tb/scoreboard.h"
+
+namespace pineda::cli {
+namespace {
+
+struct CheckOptions : Options {
+  std::string out;
+};
+
+/// Hands the triangles that a model pulls on to its scoreboard, which is never ahead of it.
+class Tee {
+ public:
+  explicit Tee(ChunkedTriangles* triangles) : triangles_(triangles) {}
+  bool pull(spec::Triangle* triangle) {
+    if (!triangles_->next(triangle)) return false;
+    pulled_.push_back(*triangle);
+    return true;
+  }
+  bool follow(spec::Triangle* triangle) {
+    if (pulled_.empty()) return false;
+    *triangle = pulled_.front();
+    pulled_.pop_front();
+    return true;
+  }
+
+ private:
+  ChunkedTriangles* triangles_;
+  std::deque<spec::Triangle> pulled_;
+};
+
+/// The SystemC model's tokens go to a scoreboard of the benches.
+class ModelListener final : public timing::Listener {
+ public:
+  explicit ModelListener(tb::Scoreboard* to) : to_(*to) {}
+  void prim(timing::Cycle c, const spec::SetupPrim& t) override { to_.prim(cycle(c), t); }
+  void stamp(timing::Cycle c, const spec::Stamp& t) override { to_.stamp(cycle(c), t); }
+  void depth(timing::Cycle c, const spec::DepthWrite& t) override { to_.depth(cycle(c), t); }
+  void color(timing::Cycle c, const spec::ColorWrite& t) override { to_.color(cycle(c), t); }
+
+ private:
+  static uint64_t cycle(timing::Cycle c) { return static_cast<uint64_t>(c); }
+  tb::Scoreboard& to_;
+};
+
+/// Samples whose memories differ. The SystemC model does not count hits.
+uint64_t differing_samples(const core::FrameBuffer& a, const core::FrameBuffer& b, bool with_hits) {
+  uint64_t count = 0;
+  const auto n = static_cast<size_t>(a.attributes);
+  for (size_t i = 0; i < a.depth.size(); ++i) {
+    const auto color = a.color.begin() + static_cast<std::ptrdiff_t>(i * n);
+    const bool same = a.depth[i] == b.depth[i] && (!with_hits || a.hits[i] == b.hits[i]) &&
+                      std::equal(color, color + static_cast<std::ptrdiff_t>(n),
+                                 b.color.begin() + static_cast<std::ptrdiff_t>(i * n));
+    count += same ? 0 : 1;
+  }
+  return count;
+}
+
+/// Finishes the scoreboard and adds what it and the memories found.
+Side conclude(const char* name, tb::Scoreboard* scoreboard, const core::FrameBuffer& reference,
+              const core::FrameBuffer& got, bool with_hits) {
+  scoreboard->finish();
+  Side side;
+  side.name = name;
+  side.compared = scoreboard->compared();
+  side.mismatches = scoreboard->mismatches();
+  side.differing_samples = differing_samples(reference, got, with_hits);
+  side.first_divergence = scoreboard->first_divergence();
+  return side;
+}
+
+Side check_model(const scene::Scene& scene, const spec::Contract& contract,
+                 const tb::BenchOptions& options, const core::FrameBuffer& reference,
+                 Progress* progress) {
+  ChunkedTriangles triangles(scene.source.get(), progress, "SystemC");
+  Tee tee(&triangles);
+  tb::Scoreboard scoreboard("SystemC", contract, scene.frame,
+                            [&](spec::Triangle* t) { return tee.follow(t); });
+  ModelListener listener(&scoreboard);
+  const auto top = make_model(contract, options);
+  timing::FrameResult result;
+  const double seconds = seconds_of([&] {
+    result = top->run(
+        scene.frame, [&](spec::Triangle* t) { return tee.pull(t); }, &listener);
+  });
+  Side side = conclude("SystemC", &scoreboard, reference, top->buffer(), false);
+  side.cycles = static_cast<uint64_t>(result.cycles);
+  side.seconds = seconds - triangles.load_seconds();
+  return side;
+}
+
+Side check_rtl(const scene::Scene& scene, const spec::Contract& contract,
+               const tb::BenchOptions& options, const core::FrameBuffer& reference,
+               Progress* progress) {
+  ChunkedTriangles triangles(scene.source.get(), progress, "RTL");
+  Tee tee(&triangles);
+  tb::Scoreboard scoreboard("RTL", contract, scene.frame,
+                            [&](spec::Triangle* t) { return tee.follow(t); });
+  const tb::RtlLibrary library(contract);
+  tb::FrameBench bench(library, options);
+  tb::FrameResult result;
+  const double seconds = seconds_of([&] {
+    result = bench.run(
+        scene.frame, [&](spec::Triangle* t) { return tee.pull(t); }, &scoreboard);
+  });
+  Side side = conclude("RTL", &scoreboard, reference, bench.buffer(), true);
+  side.cycles = result.cycles;
+  side.seconds = seconds - triangles.load_seconds();
+  return side;
+}
+
+Json check_json(const CheckResult& r, const scene::Scene& scene, const spec::Contract& contract) {
+  Json json = header_json(scene, contract);
+  json["holds"] = r.holds();
+  json["seconds"] = r.seconds;
+  json["triangles"] = r.input.triangles;
+  json["stamps"] = r.counters.stamps;
+  json["fragments"] = r.counters.fragments;
+  json["mismatches"] = r.mismatches();
+  json["cycles"] = {{"model", r.model.cycles}, {"rtl", r.rtl.cycles}};
+  json["coverage"] = {{"missing", r.judgement.missing}, {"extra", r.judgement.extra}};
+  json["depth"] = {{"max_ulp", r.judgement.max_depth_ulp}, {"bound_ulp", r.bounds.depth_ulp}};
+  json["color"] = {{"max_lsb", r.judgement.max_color_lsb}, {"bound_lsb", r.bounds.attribute_lsb}};
+  for (const Side* side : {&r.model, &r.rtl}) {
+    json["sides"][side->name] = {{"compared", side->compared},
+                                 {"mismatches", side->mismatches},
+                                 {"differing_samples", side->differing_samples},
+                                 {"first_divergence", side->first_divergence},
+                                 {"seconds", side->seconds}};
+  }
+  json["input"] = input_json(r.input);
+  json["counters"] = counters_json(r.counters);
+  return json;
+}
+
+void print(const Output& output, const CheckResult& r, const std::string& out) {
+  print_counters(output, r.counters);
+  for (const Side* side : {&r.model, &r.rtl}) {
+    output.row(side->name, fmt::format("{} tokens compared, {} mismatches, {} samples differ",
+                                       grouped(side->compared), grouped(side->mismatches),
+                                       grouped(side->differing_samples)));
+    if (!side->first_divergence.empty()) output.row("  first divergence", side->first_divergence);
+  }
+  output.row("cycles",
+             fmt::format("{} model, {} RTL", grouped(r.model.cycles), grouped(r.rtl.cycles)));
+  output.row("coverage", fmt::format("{} samples missing, {} too many, by exact arithmetic",
+                                     grouped(r.judgement.missing), grouped(r.judgement.extra)));
+  output.row("depth error", fmt::format("{:.4f} ulp at most, bound {:.4f}",
+                                        r.judgement.max_depth_ulp, r.bounds.depth_ulp));
+  output.row("colour error", fmt::format("{:.4f} LSB at most, bound {:.4f}",
+                                         r.judgement.max_color_lsb, r.bounds.attribute_lsb));
+  output.row("seconds", fmt::format("{:.2f} (SystemC {:.2f}, RTL {:.2f})", r.seconds,
+                                    r.model.seconds, r.rtl.seconds));
+  if (!out.empty()) {
+    output.row("written", fmt::format("{}/color.png, depth.png, report.html, check.json", out));
+  }
+  output.line("{}", r.holds() ? "It holds." : "IT DOES NOT HOLD.");
+}
+
+int run(const CheckOptions& options) {
+  const spec::Contract contract = contract_of(options);
+  const Output output(options);
+  Progress progress(options);
+  const auto bench = bench_options(options, contract);
+  const scene::Scene scene = open(options, contract, true);
+  output.line("{}: {}x{}, {}, depth latency {} cycles, stalls {}", scene.name, scene.frame.width,
+              scene.frame.height, contract.design.name, bench.depth_latency_cycles, options.stall);
+
+  CheckResult result;
+  result.bounds = spec::error_bounds(contract.design);
+  core::Renderer reference(contract, scene.frame);
+  result.seconds = seconds_of([&] {
+    ChunkedTriangles triangles(scene.source.get(), &progress, "exact judge");
+    result.judgement = judge([&](spec::Triangle* t) { return triangles.next(t); }, &reference);
+    result.counters = reference.counters();
+    result.model = check_model(scene, contract, bench, reference.buffer(), &progress);
+    result.rtl = check_rtl(scene, contract, bench, reference.buffer(), &progress);
+  });
+  result.input = scene.source->counters();
+  progress.clear();
+  print_notes(output, scene);
+
+  const Json json = check_json(result, scene, contract);
+  if (!options.out.empty()) {
+    write_pictures(options.out, picture_of(contract, reference.buffer()));
+    scene::write_file(options.out + "/check.json", json.dump(2) + "\n");
+    scene::write_file(options.out + "/report.html", report_html(result, scene, contract));
+  }
+  print(output, result, options.out);
+  output.json(json);
+  return result.holds() ? kHolds : kMismatch;
+}
+
+}  // namespace
+
+void add_check(CLI::App* program, int* exit_code) {
+  auto options = std::make_shared<CheckOptions>();
+  auto* command = program->add_subcommand(
+      "check", "Model, SystemC and RTL on one scene: every boundary compared bit for bit");
+  add_scene_options(command, options.get());
+  add_time_options(command, options.get());
+  command->add_option("-o,--out", options->out, "Folder for the pictures and the report")
+      ->type_name("DIR");
+  command->callback([options, exit_code] { *exit_code = run(*options); });
+}
+
+}  // namespace pineda::cli

@@ -1,0 +1,65 @@
+// pineda designs: the design points and their parameters.
+#include <memory>
+
+#include "cli/output.h"
+#include "model/spec/bounds.h"
+
+namespace pineda::cli {
+namespace {
+
+Json design_json(const spec::Design& d) {
+  const spec::Widths w = spec::widths(d);
+  const spec::ErrorBounds bounds = spec::error_bounds(d);
+  return {{"summary", d.summary},
+          {"subpixel_bits", d.subpixel_bits},
+          {"guard_bits", d.guard_bits},
+          {"depth_bits", d.depth_bits},
+          {"attributes", d.attributes},
+          {"attribute_bits", d.attribute_bits},
+          {"reciprocal_lut_bits", d.reciprocal_lut_bits},
+          {"reciprocal_newton_steps", d.reciprocal_newton_steps},
+          {"reciprocal_bits", d.reciprocal_bits},
+          {"gradient_fraction_bits", d.gradient_fraction_bits},
+          {"tile_fraction_bits", d.tile_fraction_bits},
+          {"tile_px", 1 << d.tile_log2},
+          {"stamp_width_px", 1 << d.stamp_width_log2},
+          {"stamp_height_px", 1 << d.stamp_height_log2},
+          {"setup_interval_cycles", w.setup_interval_cycles},
+          {"prim_fifo_depth", d.prim_fifo_depth},
+          {"tile_fifo_depth", d.tile_fifo_depth},
+          {"stamp_fifo_depth", d.stamp_fifo_depth},
+          {"depth_latency_cycles", d.depth_latency_cycles},
+          {"max_depth_latency_cycles", d.max_depth_latency_cycles},
+          {"inflight_stamps", w.inflight_stamps},
+          {"depth_bound_ulp", bounds.depth_ulp},
+          {"color_bound_lsb", bounds.attribute_lsb}};
+}
+
+int run(const Options& options) {
+  const Output output(options);
+  Json json;
+  for (const auto& design : spec::designs()) {
+    const Json parameters = design_json(design);
+    json["designs"][design.name] = parameters;
+    output.line("{}: {}", design.name, design.summary);
+    for (const auto& [key, value] : parameters.items()) {
+      if (key == "summary") continue;
+      output.line(
+          "  {:<26}{}", key,
+          value.is_number_float() ? fmt::format("{:.4f}", value.get<double>()) : value.dump());
+    }
+  }
+  output.json(json);
+  return kHolds;
+}
+
+}  // namespace
+
+void add_designs(CLI::App* program, int* exit_code) {
+  auto options = std::make_shared<Options>();
+  auto* command = program->add_subcommand("designs", "The design points and their parameters");
+  add_output_options(command, options.get());
+  command->callback([options, exit_code] { *exit_code = run(*options); });
+}
+
+}  // namespace pineda::cli

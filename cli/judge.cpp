@@ -1,0 +1,79 @@
+#include "cli/judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/exact/exact.h"
+
+namespace pineda::cli {
+namespace {
+
+exact::Triangle exact_triangle(const spec::Triangle& triangle, int attributes) {
+  exact::Triangle result;
+  for (size_t i = 0; i < 3; ++i) {
+    const spec::Vertex& v = triangle.v[i];
+    result[i] = {v.x, v.y, v.z, {v.attr.begin(), v.attr.begin() + attributes}};
+  }
+  return result;
+}
+
+/// Sees the stamps of one triangle.
+struct JudgeSink {
+  const spec::Contract& contract;
+  const exact::Judge& judge;
+  Judgement* to;
+  uint64_t right = 0;  // samples that both cover
+
+  void prim(const spec::SetupPrim&) {}
+  void depth(const spec::DepthWrite&) {}
+  void color(const spec::ColorWrite&) {}
+  void stamp(const spec::Stamp& stamp) {
+    const spec::Design& d = contract.design;
+    spec::Fragment fragment;
+    core::interpolate(contract, stamp, &fragment);
+    for (int lane = 0; lane < contract.width.lanes; ++lane) {
+      if ((stamp.mask >> lane & 1) == 0) continue;
+      const int x = (stamp.x << d.stamp_width_log2) + (lane & ((1 << d.stamp_width_log2) - 1));
+      const int y = (stamp.y << d.stamp_height_log2) + (lane >> d.stamp_width_log2);
+      sample(x, y, static_cast<size_t>(lane), fragment);
+    }
+  }
+
+  void sample(int x, int y, size_t lane, const spec::Fragment& fragment) {
+    ++to->samples;
+    if (!judge.covers(x, y)) {
+      ++to->extra;
+      return;
+    }
+    ++right;
+    to->max_depth_ulp =
+        std::max(to->max_depth_ulp, std::abs(judge.depth_error(x, y, fragment.z[lane])));
+    for (int a = 0; a < contract.design.attributes; ++a) {
+      const double error =
+          judge.attribute_error(x, y, a, fragment.attr[lane][static_cast<size_t>(a)]);
+      to->max_color_lsb = std::max(to->max_color_lsb, std::abs(error));
+    }
+  }
+};
+
+}  // namespace
+
+Judgement judge(const std::function<bool(spec::Triangle*)>& next, core::Renderer* renderer) {
+  const spec::Contract& contract = renderer->contract();
+  const spec::FrameState& frame = renderer->frame();
+  static constexpr exact::Cull kCull[] = {exact::Cull::kNone, exact::Cull::kBack,
+                                          exact::Cull::kFront};
+  Judgement judgement;
+  spec::Triangle triangle;
+  while (next(&triangle)) {
+    const exact::Judge exact(exact_triangle(triangle, contract.design.attributes),
+                             contract.design.subpixel_bits, frame.width, frame.height,
+                             kCull[static_cast<int>(frame.cull)]);
+    JudgeSink sink{contract, exact, &judgement};
+    renderer->draw(triangle, sink);
+    judgement.missing += static_cast<uint64_t>(exact.samples()) - sink.right;
+  }
+  return judgement;
+}
+
+}  // namespace pineda::cli

@@ -1,0 +1,56 @@
+// pineda: a bit-exact, cycle-approximate hardware rasterizer. One program, a command a task.
+#include <cstdlib>
+#include <systemc>
+
+#include "cli/options.h"
+#include "cli/output.h"
+#include "tb/rtl.h"
+
+namespace {
+
+int run(int argc, char** argv) {
+  using namespace pineda;
+  CLI::App program{
+      "A bit-exact, cycle-approximate hardware rasterizer: functional model, SystemC "
+      "model and Verilated RTL.\nExit: 0 = it holds, 1 = a mismatch or a bound broken, "
+      "2 = bad usage or bad input.",
+      "pineda"};
+  program.set_version_flag("--version", "pineda " PINEDA_VERSION);
+  program.require_subcommand(1);
+  program.get_formatter()->column_width(28);
+  int exit_code = cli::kHolds;
+  cli::add_check(&program, &exit_code);
+  cli::add_render(&program, &exit_code);
+  cli::add_time(&program, &exit_code);
+  cli::add_rtl(&program, &exit_code);
+  cli::add_designs(&program, &exit_code);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return program.exit(help);
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "pineda: {} (see pineda --help)\n", error.what());
+    return cli::kBadInput;
+  } catch (const cli::UsageError& error) {
+    fmt::print(stderr, "pineda: {}\n", error.what());
+    return cli::kBadInput;
+  } catch (const scene::InputError& error) {
+    fmt::print(stderr, "pineda: {}\n", error.what());
+    return cli::kBadInput;
+  } catch (const tb::RtlError& error) {
+    fmt::print(stderr, "pineda: RTL: {}\n", error.what());
+    return cli::kMismatch;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+// SystemC calls this from sc_elab_and_sim().
+int sc_main(int argc, char** argv) { return run(argc, argv); }
+
+int main(int argc, char** argv) {
+  // Its banner has no place in a command's output.
+  setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
+  return sc_core::sc_elab_and_sim(argc, argv);
+}

@@ -1,0 +1,144 @@
+#include "cli/options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace pineda::cli {
+namespace {
+
+// "640x480" -> width and height; nothing else around them.
+std::optional<scene::Size> parse_size(const std::string& text) {
+  scene::Size size;
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
+  const auto height = std::from_chars(width.ptr + 1, end, size.height);
+  if (height.ec != std::errc() || height.ptr != end) return std::nullopt;
+  return size;
+}
+
+scene::Vec3 vector_of(const std::vector<double>& values) {
+  return {values[0], values[1], values[2]};
+}
+
+}  // namespace
+
+void add_output_options(CLI::App* command, Options* o) {
+  command->add_option("--json", o->json, "Write the figures as JSON to a file, - for stdout")
+      ->type_name("FILE");
+  command->add_flag("--quiet", o->quiet, "Print nothing but errors");
+}
+
+void add_scene_options(CLI::App* command, Options* o) {
+  command
+      ->add_option("scene", o->scene,
+                   "A .tri, .ptrb or .obj file, - for a .ptrb on standard input, or built in: "
+                   "teapot, triangle, grid")
+      ->required()
+      ->type_name("SCENE");
+  command->add_option("--design", o->design, "Design point, see `pineda designs`")
+      ->type_name("NAME")
+      ->capture_default_str();
+  const std::string meshes = "Meshes";
+  command->add_option("--size", o->size, "Frame size in px, 640x480 unless given")
+      ->type_name("WxH")
+      ->group(meshes);
+  command->add_option("--tessellate", o->tessellate, "Teapot: quads along a patch's side")
+      ->type_name("N")
+      ->group(meshes);
+  command->add_option("--cull", o->cull, "none, back or front; front = counter-clockwise")
+      ->check(CLI::IsMember({"none", "back", "front"}))
+      ->type_name("FACE")
+      ->group(meshes);
+  command->add_option("--depth", o->depth, "less, lequal or off")
+      ->check(CLI::IsMember({"less", "lequal", "off"}))
+      ->type_name("FUNC")
+      ->group(meshes);
+  const std::string camera = "Camera (frames the mesh unless --eye is given)";
+  auto* eye = command->add_option("--eye", o->eye, "Position")
+                  ->delimiter(',')
+                  ->expected(3)
+                  ->type_name("X,Y,Z")
+                  ->group(camera);
+  command
+      ->add_option("--look-at", o->look_at,
+                   "Point in the middle of the picture, 0,0,0 unless given")
+      ->delimiter(',')
+      ->expected(3)
+      ->type_name("X,Y,Z")
+      ->needs(eye)
+      ->group(camera);
+  command->add_option("--fov", o->fov_deg, "Vertical angle in degrees, 33 unless given")
+      ->type_name("DEG")
+      ->needs(eye)
+      ->group(camera);
+  add_output_options(command, o);
+}
+
+void add_time_options(CLI::App* command, Options* o) {
+  command
+      ->add_option("--latency", o->latency_cycles, "Cycles from a depth read to its data, 1 to 64")
+      ->type_name("N");
+  command->add_option("--stall", o->stall, "Who stalls at the ports: none, source, sink or both")
+      ->check(CLI::IsMember({"none", "source", "sink", "both"}))
+      ->type_name("MODE")
+      ->capture_default_str();
+  command->add_option("--seed", o->seed, "Seed of the stalls")
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+spec::Contract contract_of(const Options& options) {
+  const spec::Design* design = spec::find_design(options.design);
+  if (design != nullptr) return spec::contract(*design);
+  std::string known;
+  for (const auto& d : spec::designs())
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", d.name);
+  throw UsageError(fmt::format("--design: expected one of {}, got '{}'", known, options.design));
+}
+
+scene::Scene open(const Options& o, const spec::Contract& contract, bool multi_pass) {
+  scene::Options options;
+  if (!o.size.empty()) {
+    options.size = parse_size(o.size);
+    if (!options.size) throw UsageError(fmt::format("--size: expected WxH, got '{}'", o.size));
+  }
+  if (!o.cull.empty()) {
+    options.cull = o.cull == "none"   ? spec::Cull::kNone
+                   : o.cull == "back" ? spec::Cull::kBack
+                                      : spec::Cull::kFront;
+  }
+  if (!o.depth.empty()) {
+    options.depth = o.depth == "less"     ? spec::DepthFunc::kLess
+                    : o.depth == "lequal" ? spec::DepthFunc::kLequal
+                                          : spec::DepthFunc::kOff;
+  }
+  if (!o.eye.empty()) {
+    scene::Camera camera;
+    camera.eye = vector_of(o.eye);
+    if (!o.look_at.empty()) camera.target = vector_of(o.look_at);
+    if (o.fov_deg) camera.fovy_deg = *o.fov_deg;
+    options.camera = camera;
+  }
+  options.tessellate = o.tessellate;
+  options.multi_pass = multi_pass;
+  return scene::open_scene(contract, o.scene, options);
+}
+
+int latency_of(const Options& o, const spec::Contract& contract) {
+  const int cycles = o.latency_cycles.value_or(contract.design.depth_latency_cycles);
+  const int longest = contract.design.max_depth_latency_cycles;
+  if (cycles < 1 || cycles > longest) {
+    throw UsageError(fmt::format("--latency: expected 1 to {}, got {}", longest, cycles));
+  }
+  return cycles;
+}
+
+tb::StallMode stall_mode_of(const Options& o) {
+  if (o.stall == "source") return tb::StallMode::kSource;
+  if (o.stall == "sink") return tb::StallMode::kSink;
+  return o.stall == "both" ? tb::StallMode::kBoth : tb::StallMode::kNone;
+}
+
+}  // namespace pineda::cli

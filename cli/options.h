@@ -1,0 +1,69 @@
+// What the commands of pineda share: options, exit codes, and the scene they open.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/scene/scene.h"
+#include "model/spec/widths.h"
+#include "tb/stalls.h"
+
+namespace pineda::cli {
+
+/// Exit codes of every command.
+inline constexpr int kHolds = 0;
+inline constexpr int kMismatch = 1;  // a mismatch, or a bound broken
+inline constexpr int kBadInput = 2;  // bad usage or bad input
+
+/// Bad usage, found after the command line was parsed. One line.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Options of the commands that take a scene.
+struct Options {
+  std::string scene;
+  std::string design = "high_tile";
+  std::string json;  // file, "-" = stdout; empty = none
+  bool quiet = false;
+  uint64_t seed = 0;
+
+  // Meshes
+  std::string size;  // WxH
+  std::optional<int> tessellate;
+  std::string cull;
+  std::string depth;
+  std::vector<double> eye, look_at;
+  std::optional<double> fov_deg;
+
+  // Time
+  std::optional<int> latency_cycles;
+  std::string stall = "none";
+};
+
+/// Adds --json and --quiet.
+void add_output_options(CLI::App* command, Options* options);
+/// Adds the scene and all options about it.
+void add_scene_options(CLI::App* command, Options* options);
+/// Adds --latency, --stall and --seed.
+void add_time_options(CLI::App* command, Options* options);
+
+/// The design by name. Throws UsageError that lists the designs there are.
+spec::Contract contract_of(const Options& options);
+/// Opens the scene, with `multi_pass` so that it can be rewound.
+scene::Scene open(const Options& options, const spec::Contract& contract, bool multi_pass);
+int latency_of(const Options& options, const spec::Contract& contract);
+tb::StallMode stall_mode_of(const Options& options);
+
+/// The commands: each adds itself to the program. The return value of a command's run is its exit
+/// code, stored in *exit_code by the callback.
+void add_check(CLI::App* program, int* exit_code);
+void add_render(CLI::App* program, int* exit_code);
+void add_time(CLI::App* program, int* exit_code);
+void add_rtl(CLI::App* program, int* exit_code);
+void add_designs(CLI::App* program, int* exit_code);
+
+}  // namespace pineda::cli

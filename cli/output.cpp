@@ -1,0 +1,140 @@
+#include "cli/output.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "model/scene/writers.h"
+
+namespace pineda::cli {
+namespace {
+
+const char* name_of(spec::Cull cull) {
+  static constexpr const char* kNames[] = {"none", "back", "front"};
+  return kNames[static_cast<int>(cull)];
+}
+
+const char* name_of(spec::DepthFunc func) {
+  static constexpr const char* kNames[] = {"less", "lequal", "off"};
+  return kNames[static_cast<int>(func)];
+}
+
+}  // namespace
+
+Output::Output(const Options& options)
+    : json_(options.json), quiet_(options.quiet), file_(options.json == "-" ? stderr : stdout) {}
+
+void Output::row(const std::string& name, const std::string& value) const {
+  line("  {:<22}{}", name, value);
+}
+
+void Output::warn(const std::string& text) const { fmt::print(stderr, "pineda: {}\n", text); }
+
+void Output::json(const Json& value) const {
+  if (json_.empty()) return;
+  const std::string text = value.dump(2) + "\n";
+  if (json_ == "-") {
+    fmt::print(stdout, "{}", text);
+  } else {
+    scene::write_file(json_, text);
+  }
+}
+
+Progress::Progress(const Options& options)
+    : shown_(!options.quiet && isatty(STDERR_FILENO) != 0),
+      last_(std::chrono::steady_clock::now()) {}
+
+void Progress::update(const char* phase, uint64_t done) {
+  if (!shown_ || (done & 63) != 0) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_ < std::chrono::milliseconds(100)) return;
+  last_ = now;
+  dirty_ = true;
+  fmt::print(stderr, "\r\033[K{}: {} triangles", phase, grouped(done));
+  std::fflush(stderr);
+}
+
+void Progress::clear() {
+  if (!dirty_) return;
+  fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+  dirty_ = false;
+}
+
+std::string grouped(uint64_t value) {
+  std::string text = std::to_string(value);
+  for (int i = static_cast<int>(text.size()) - 3; i > 0; i -= 3) {
+    text.insert(static_cast<size_t>(i), ",");
+  }
+  return text;
+}
+
+double median(std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  const size_t middle = seconds.size() / 2;
+  return seconds.size() % 2 == 1 ? seconds[middle] : (seconds[middle - 1] + seconds[middle]) / 2;
+}
+
+Json header_json(const scene::Scene& scene, const spec::Contract& contract) {
+  return {{"scene", scene.name},
+          {"design", contract.design.name},
+          {"width", scene.frame.width},
+          {"height", scene.frame.height},
+          {"cull", name_of(scene.frame.cull)},
+          {"depth", name_of(scene.frame.depth)}};
+}
+
+Json input_json(const scene::Counters& c) {
+  return {{"triangles", c.triangles},       {"nan_dropped", c.nan_dropped},
+          {"saturated", c.saturated},       {"z_clamped", c.z_clamped},
+          {"denormals", c.denormals},       {"clipped", c.clipped},
+          {"clipped_away", c.clipped_away}, {"perspective", c.perspective}};
+}
+
+Json counters_json(const core::FrameCounters& c) {
+  Json dropped;
+  for (int i = 1; i < core::kDropCauses; ++i) {
+    std::string key = core::drop_name(static_cast<core::Drop>(i));
+    std::replace(key.begin(), key.end(), ' ', '_');
+    dropped[key] = c.dropped[static_cast<size_t>(i)];
+  }
+  return {{"triangles", c.triangles},
+          {"dropped", dropped},
+          {"tiles",
+           {{"tested", c.tiles_tested},
+            {"rejected", c.tiles_rejected},
+            {"accepted", c.tiles_accepted}}},
+          {"stamps", c.stamps},
+          {"fragments", c.fragments},
+          {"passed", c.passed}};
+}
+
+void print_notes(const Output& output, const scene::Scene& scene) {
+  for (const auto& warning : scene.warnings)
+    output.warn(fmt::format("{}: {}", scene.name, warning));
+  for (const auto& note : scene::notes(scene.source->counters())) {
+    output.warn(fmt::format("{}: {}", scene.name, note));
+  }
+}
+
+void print_counters(const Output& output, const core::FrameCounters& c) {
+  uint64_t dropped = 0;
+  std::string causes;
+  for (int i = 1; i < core::kDropCauses; ++i) {
+    const uint64_t count = c.dropped[static_cast<size_t>(i)];
+    if (count == 0) continue;
+    dropped += count;
+    causes += fmt::format("{}{} {}", causes.empty() ? "" : ", ", grouped(count),
+                          core::drop_name(static_cast<core::Drop>(i)));
+  }
+  output.row("triangles set up", grouped(c.triangles));
+  output.row("  dropped", causes.empty() ? "0" : fmt::format("{} ({})", grouped(dropped), causes));
+  output.row("tiles tested",
+             fmt::format("{} ({} rejected, {} accepted whole)", grouped(c.tiles_tested),
+                         grouped(c.tiles_rejected), grouped(c.tiles_accepted)));
+  output.row("stamps", grouped(c.stamps));
+  output.row("covered samples",
+             fmt::format("{} ({} written)", grouped(c.fragments), grouped(c.passed)));
+}
+
+}  // namespace pineda::cli

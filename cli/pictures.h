@@ -1,0 +1,27 @@
+// A model's memories as the pictures and dumps that scene/ writes.
+#pragma once
+
+#include "model/core/frame.h"
+#include "model/scene/writers.h"
+
+namespace pineda::cli {
+
+inline scene::Frame picture_of(const spec::Contract& contract, const core::FrameBuffer& buffer) {
+  scene::Frame frame;
+  frame.width = buffer.width;
+  frame.height = buffer.height;
+  frame.attributes = buffer.attributes;
+  frame.attribute_bits = contract.design.attribute_bits;
+  frame.clear_depth = static_cast<uint32_t>((uint64_t{1} << contract.design.depth_bits) - 1);
+  frame.depth = buffer.depth;
+  frame.color = buffer.color;
+  frame.hits = buffer.hits;
+  return frame;
+}
+
+inline void write_pictures(const std::string& folder, const scene::Frame& frame) {
+  scene::write_color_png(folder + "/color.png", frame);
+  scene::write_depth_png(folder + "/depth.png", frame);
+}
+
+}  // namespace pineda::cli

@@ -1,0 +1,124 @@
+// pineda rtl: the Verilated RTL alone.
+#include <filesystem>
+#include <memory>
+
+#include "cli/models.h"
+#include "cli/pictures.h"
+#include "cli/triangles.h"
+
+namespace pineda::cli {
+namespace {
+
+struct RtlOptions : Options {
+  std::string out;
+  std::string dump;
+  std::string trace;
+  int bench = 0;
+};
+
+// The waveform appears under its name once it is whole.
+class TraceFile {
+ public:
+  TraceFile(const std::string& path, tb::FrameBench* bench) : path_(path) {
+    if (path_.empty()) return;
+    if (!bench->trace(path_ + ".part")) {
+      throw scene::InputError(path_, "cannot be written");
+    }
+  }
+  ~TraceFile() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove(path_ + ".part", ignored);
+  }
+  void keep() {
+    if (path_.empty()) return;
+    std::error_code error;
+    std::filesystem::rename(path_ + ".part", path_, error);
+    if (error) throw scene::InputError(path_, "cannot be written: " + error.message());
+  }
+
+ private:
+  std::string path_;
+};
+
+int run(const RtlOptions& options) {
+  const spec::Contract contract = contract_of(options);
+  const Output output(options);
+  Progress progress(options);
+  const auto bench_opts = bench_options(options, contract);
+  const scene::Scene scene = open(options, contract, false);
+  const tb::RtlLibrary library(contract);
+  auto bench = std::make_unique<tb::FrameBench>(library, bench_opts);
+  TraceFile trace(options.trace, bench.get());
+
+  tb::FrameResult result;
+  double seconds = 0;
+  if (options.bench > 0) {
+    const auto triangles = load_all(scene.source.get(), &progress);
+    std::vector<double> times;
+    for (int i = 0; i < options.bench; ++i) {
+      times.push_back(
+          seconds_of([&] { result = bench->run(scene.frame, pull_from(triangles), nullptr); }));
+    }
+    seconds = median(times);
+  }
+  // Hits are known only to who looks at the stamps, so a dump costs a run with a listener.
+  if (options.bench == 0 || !options.dump.empty()) {
+    tb::Listener listener;
+    ChunkedTriangles triangles(scene.source.get(), &progress, "RTL");
+    const auto pull = [&](spec::Triangle* triangle) { return triangles.next(triangle); };
+    double once = seconds_of([&] { result = bench->run(scene.frame, pull, &listener); });
+    once -= triangles.load_seconds();
+    if (options.bench == 0) seconds = once;
+  }
+  progress.clear();
+  print_notes(output, scene);
+
+  const scene::Frame frame = picture_of(contract, bench->buffer());
+  bench.reset();  // closes the waveform
+  trace.keep();
+  if (!options.out.empty()) write_pictures(options.out, frame);
+  if (!options.dump.empty()) scene::write_dump(options.dump, frame);
+
+  Json json = header_json(scene, contract);
+  json["cycles"] = result.cycles;
+  json["seconds"] = seconds;
+  json["triangles"] = scene.source->counters().triangles;
+  json["depth_latency_cycles"] = bench_opts.depth_latency_cycles;
+  json["stall"] = options.stall;
+  json["input"] = input_json(scene.source->counters());
+  output.line("{}: {}x{}, {}, depth latency {} cycles", scene.name, scene.frame.width,
+              scene.frame.height, contract.design.name, bench_opts.depth_latency_cycles);
+  output.row("cycles", grouped(result.cycles));
+  output.row("seconds", fmt::format("{:.6f} ({:.2f} M cycles/s)", seconds,
+                                    static_cast<double>(result.cycles) / seconds * 1e-6));
+  if (!options.out.empty()) output.row("pictures", options.out + "/color.png, depth.png");
+  if (!options.dump.empty()) {
+    output.row("dump", options.dump + "/hits.u16, depth.u32, color.rgba");
+  }
+  if (!options.trace.empty()) output.row("waveform", options.trace);
+  output.json(json);
+  return kHolds;
+}
+
+}  // namespace
+
+void add_rtl(CLI::App* program, int* exit_code) {
+  auto options = std::make_shared<RtlOptions>();
+  auto* command =
+      program->add_subcommand("rtl", "The Verilated RTL alone: cycles, dumps, waveform");
+  add_scene_options(command, options.get());
+  add_time_options(command, options.get());
+  command->add_option("-o,--out", options->out, "Folder for color.png and depth.png")
+      ->type_name("DIR");
+  command->add_option("--dump", options->dump, "Folder for hits.u16, depth.u32 and color.rgba")
+      ->type_name("DIR");
+  auto* bench = command->add_option("--bench", options->bench, "Median seconds of N runs in memory")
+                    ->check(CLI::Range(1, 1'000'000))
+                    ->type_name("N");
+  command->add_option("--trace", options->trace, "Waveform of the frame")
+      ->type_name("FILE.fst")
+      ->excludes(bench);
+  command->callback([options, exit_code] { *exit_code = run(*options); });
+}
+
+}  // namespace pineda::cli

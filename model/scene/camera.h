@@ -1,0 +1,39 @@
+// The camera: world space to clip space.
+#pragma once
+
+#include <array>
+
+#include "model/scene/mesh.h"
+
+namespace pineda::scene {
+
+/// World space is right-handed with y up.
+struct Camera {
+  Vec3 eye{0, 0, 1};
+  Vec3 target{0, 0, 0};
+  Vec3 up{0, 1, 0};
+  double fovy_deg = 33;  // full vertical angle
+};
+
+/// A camera made ready: clip = (x, y, z, w) with w the distance along the view, 0 <= z <= w between
+/// the near and the far plane, and |x|, |y| <= w inside the frame.
+struct View {
+  Vec3 eye;
+  Vec3 right, up, back;  // orthonormal; back points from the scene to the eye
+  double scale_x = 1, scale_y = 1;
+  double near = 1, far = 2;
+
+  std::array<double, 4> clip(const Vec3& world) const;
+};
+
+/// A view from the front, a little from the right and above, as close as the frame allows: the mesh
+/// spans .92 of it in one direction and is centred in both.
+View framing_view(const Mesh& mesh, int width, int height);
+
+/// The view of a given camera. Near and far enclose the part of the mesh in front of it; far is
+/// never so near that it cuts.
+/// Errors   std::invalid_argument when the camera looks nowhere: eye = target, up along the view,
+///          or an angle outside (0, 180).
+View camera_view(const Camera& camera, const Mesh& mesh, int width, int height);
+
+}  // namespace pineda::scene

@@ -1,0 +1,95 @@
+#include "model/scene/mesh_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pineda::scene {
+namespace {
+
+constexpr Vec3 kClay = {232, 190, 140};  // a mesh without colours
+constexpr double kAmbient = .2;
+
+// Diffuse light from the upper left behind the eye, so that a form shows from wherever it is seen.
+std::array<double, 4> shade(const Vec3& normal, const View& view) {
+  const Vec3 light = normalized(-.45 * view.right + .55 * view.up + .7 * view.back);
+  const double intensity = kAmbient + (1 - kAmbient) * std::max(0.0, dot(normal, light));
+  return {intensity * kClay[0], intensity * kClay[1], intensity * kClay[2], 255};
+}
+
+}  // namespace
+
+MeshReader::MeshReader(const Mesh& mesh, const View& view, int width, int height, int guard_bits)
+    : width_(width),
+      height_(height),
+      volume_(width, height, guard_bits),
+      vertices_(mesh.position.size()),
+      triangles_(mesh.triangle) {
+  for (size_t i = 0; i < vertices_.size(); ++i) {
+    vertices_[i].position = view.clip(mesh.position[i]);
+    if (mesh.color.empty()) {
+      vertices_[i].rgba = shade(mesh.normal[i], view);
+    } else {
+      std::copy(mesh.color[i].begin(), mesh.color[i].end(), vertices_[i].rgba.begin());
+    }
+  }
+  drawable_.reserve(triangles_.size());
+  for (const auto& t : triangles_) drawable_.push_back(mesh.is_finite(t));
+}
+
+void MeshReader::rewind() {
+  next_ = 0;
+  polygon_.size = 0;
+}
+
+// The next triangle of which something is left.
+bool MeshReader::next_polygon(Counters* counters) {
+  while (next_ < triangles_.size()) {
+    const size_t current = next_++;
+    ++counters->triangles;
+    if (!drawable_[current]) {
+      ++counters->nan_dropped;
+      continue;
+    }
+    std::array<ClipVertex, 3> corner;
+    unsigned outside = 0;
+    for (size_t i = 0; i < 3; ++i) {
+      corner[i] = vertices_[triangles_[current][i]];
+      outside |= volume_.outside(corner[i]);
+    }
+    polygon_.size = 3;
+    std::copy(corner.begin(), corner.end(), polygon_.v.begin());
+    if (outside != 0) polygon_ = volume_.clip(corner);
+    if (polygon_.size < 3) {
+      ++counters->clipped_away;
+      continue;
+    }
+    counters->clipped += outside != 0 ? 1 : 0;
+    piece_ = 0;
+    return true;
+  }
+  polygon_.size = 0;
+  return false;
+}
+
+ScreenVertex MeshReader::project(const ClipVertex& vertex) const {
+  const auto& p = vertex.position;
+  ScreenVertex v;
+  v.x = static_cast<float>((p[0] / p[3] + 1) * (width_ / 2.0));
+  v.y = static_cast<float>((1 - p[1] / p[3]) * (height_ / 2.0));
+  v.z = static_cast<float>(p[2] / p[3]);
+  v.w = static_cast<float>(p[3]);
+  for (size_t i = 0; i < 4; ++i) v.rgba[i] = static_cast<uint8_t>(std::lround(vertex.rgba[i]));
+  return v;
+}
+
+bool MeshReader::read(ScreenTriangle* triangle, Counters* counters) {
+  const bool has_piece = polygon_.size != 0 && piece_ + 2 < polygon_.size;
+  if (!has_piece && !next_polygon(counters)) return false;
+  ++piece_;
+  triangle->id = static_cast<uint32_t>(next_ - 1);
+  triangle->v = {project(polygon_.v[0]), project(polygon_.v[piece_]),
+                 project(polygon_.v[piece_ + 1])};
+  return true;
+}
+
+}  // namespace pineda::scene

@@ -1,0 +1,60 @@
+// Reader of .ptrb: triangles after the viewport transform, binary, for streaming.
+#pragma once
+
+#include <istream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/scene/screen.h"
+
+namespace pineda::scene {
+
+/// What the 28 bytes at the start say.
+struct PtrbHeader {
+  spec::FrameState frame;
+  bool has_w = false;
+  uint64_t triangles = 0;
+
+  static constexpr size_t kBytes = 28;
+  size_t triangle_bytes() const { return has_w ? 60 : 48; }
+  uint64_t file_bytes() const { return kBytes + triangles * triangle_bytes(); }
+};
+
+/// Reads triangle by triangle, in bounded memory whatever the count.
+///
+/// In       a stream at its first byte. With `bytes`, its length, the count is checked before
+///          anything is drawn and rewind() works; without, it is a pipe: a wrong count is found
+///          at its end and rewind() throws.
+/// Errors   InputError: wrong magic, version, flags, size or count; W not positive and normal.
+class PtrbReader final : public ScreenReader {
+ public:
+  PtrbReader(const spec::Contract& contract, const std::string& file,
+             std::shared_ptr<std::istream> stream, std::optional<uint64_t> bytes);
+
+  const spec::FrameState& frame() const { return header_.frame; }
+  bool read(ScreenTriangle* triangle, Counters* counters) override;
+  void rewind() override;
+
+ private:
+  void refill();
+  void check_end();
+  ScreenVertex vertex(const unsigned char* bytes, size_t corner, Counters* counters) const;
+
+  std::string file_;
+  std::shared_ptr<std::istream> stream_;
+  bool can_rewind_;
+  PtrbHeader header_;
+  uint64_t next_ = 0;                  // number of the next triangle
+  std::vector<unsigned char> buffer_;  // whole triangles
+  size_t position_ = 0;                // in buffer_
+};
+
+/// Copies a .ptrb from a pipe into a temporary file without a name, so that it can be read more
+/// than once in bounded memory. Stops one byte after the end that the header states.
+/// Out      the file at its first byte; *bytes = its length.
+std::shared_ptr<std::istream> spool_ptrb(const spec::Contract& contract, const std::string& file,
+                                         std::istream& stream, uint64_t* bytes);
+
+}  // namespace pineda::scene

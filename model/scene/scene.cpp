@@ -1,0 +1,167 @@
+#include "model/scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <utility>
+
+#include "model/scene/builtin.h"
+#include "model/scene/lines.h"
+#include "model/scene/mesh_reader.h"
+#include "model/scene/obj_reader.h"
+#include "model/scene/ptrb_reader.h"
+#include "model/scene/snap.h"
+#include "model/scene/tri_reader.h"
+
+namespace pineda::scene {
+namespace {
+
+constexpr int kDefaultTessellation = 10;
+constexpr int kGreatestTessellation = 256;  // 4.2 million triangles
+
+void refuse(const std::string& name, bool given, const char* option, const char* where) {
+  if (given) throw InputError(name, fmt::format("expected no {}: {}", option, where));
+}
+
+void refuse_frame_options(const std::string& name, const Options& options) {
+  constexpr const char* kOwn = "the file states its own";
+  refuse(name, options.size.has_value(), "size option", kOwn);
+  refuse(name, options.cull.has_value(), "cull option", kOwn);
+  refuse(name, options.depth.has_value(), "depth option", kOwn);
+}
+
+spec::FrameState frame_of(const spec::Contract& contract, const std::string& name,
+                          const Options& options, Size fallback) {
+  const Size size = options.size.value_or(fallback);
+  const int greatest = 1 << contract.design.guard_bits;
+  if (size.width < 1 || size.width > greatest || size.height < 1 || size.height > greatest) {
+    throw InputError(name, fmt::format("expected a size of 1x1 to {0}x{0}, got {1}x{2}", greatest,
+                                       size.width, size.height));
+  }
+  spec::FrameState frame;
+  frame.width = size.width;
+  frame.height = size.height;
+  frame.cull = options.cull.value_or(spec::Cull::kNone);
+  frame.depth = options.depth.value_or(spec::DepthFunc::kLess);
+  return frame;
+}
+
+Scene snapped(const spec::Contract& contract, const std::string& name,
+              const spec::FrameState& frame, std::unique_ptr<ScreenReader> reader) {
+  Scene scene;
+  scene.name = name;
+  scene.frame = frame;
+  scene.source = std::make_unique<SnappedSource>(contract, std::move(reader));
+  return scene;
+}
+
+Scene open_tri(const spec::Contract& contract, const std::string& path) {
+  auto reader = std::make_unique<TriReader>(contract, path, open_file(path));
+  const auto frame = reader->frame();
+  return snapped(contract, std::filesystem::path(path).stem().string(), frame, std::move(reader));
+}
+
+Scene open_ptrb(const spec::Contract& contract, const std::string& path, const Options& options) {
+  const bool is_standard_input = path == "-";
+  const std::string file = is_standard_input ? "standard input" : path;
+  std::shared_ptr<std::istream> stream;
+  std::optional<uint64_t> bytes;
+  if (is_standard_input) {
+    // Not ours to delete.
+    stream = {options.input != nullptr ? options.input : &std::cin, [](std::istream*) {}};
+  } else {
+    stream = open_file(path);
+    if (std::filesystem::is_regular_file(path)) bytes = std::filesystem::file_size(path);
+  }
+  if (!bytes && options.multi_pass) {
+    uint64_t spooled = 0;
+    stream = spool_ptrb(contract, file, *stream, &spooled);
+    bytes = spooled;
+  }
+  auto reader = std::make_unique<PtrbReader>(contract, file, stream, bytes);
+  const auto frame = reader->frame();
+  const auto name = is_standard_input ? "stdin" : std::filesystem::path(path).stem().string();
+  return snapped(contract, name, frame, std::move(reader));
+}
+
+Scene open_mesh(const spec::Contract& contract, const std::string& name, const Mesh& mesh,
+                const Options& options) {
+  const auto frame = frame_of(contract, name, options, Size{});
+  View view;
+  try {
+    view = options.camera ? camera_view(*options.camera, mesh, frame.width, frame.height)
+                          : framing_view(mesh, frame.width, frame.height);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(name, error.what());
+  }
+  return snapped(contract, std::filesystem::path(name).stem().string(), frame,
+                 std::make_unique<MeshReader>(mesh, view, frame.width, frame.height,
+                                              contract.design.guard_bits));
+}
+
+Scene open_obj(const spec::Contract& contract, const std::string& path, const Options& options) {
+  std::vector<std::string> warnings;
+  const Mesh mesh = read_obj(path, &warnings);
+  Scene scene = open_mesh(contract, path, mesh, options);
+  scene.warnings = std::move(warnings);
+  return scene;
+}
+
+Scene open_teapot(const spec::Contract& contract, const std::string& name, const Options& options) {
+  const int n = options.tessellate.value_or(kDefaultTessellation);
+  if (n < 1 || n > kGreatestTessellation) {
+    throw InputError(name, fmt::format("expected a tessellation from 1 to {}, got {}",
+                                       kGreatestTessellation, n));
+  }
+  return open_mesh(contract, name, teapot(n), options);
+}
+
+Scene open_list(const spec::Contract& contract, const std::string& name, const Options& options,
+                Size fallback, std::vector<ScreenTriangle> (*make)(int width, int height)) {
+  const auto frame = frame_of(contract, name, options, fallback);
+  return snapped(contract, name, frame,
+                 std::make_unique<ListReader>(make(frame.width, frame.height)));
+}
+
+}  // namespace
+
+Scene open_scene(const spec::Contract& contract, const std::string& name, const Options& options) {
+  const std::string ending = std::filesystem::path(name).extension().string();
+  const bool is_mesh = ending == ".obj" || name == "teapot";
+  refuse(name, options.tessellate && name != "teapot", "tessellation", "it is for teapot");
+  refuse(name, options.camera && !is_mesh, "camera", "it is for meshes");
+  if (name == "teapot") return open_teapot(contract, name, options);
+  if (name == "triangle") return open_list(contract, name, options, {64, 64}, single_triangle);
+  if (name == "grid") return open_list(contract, name, options, Size{}, jittered_grid);
+  if (ending == ".obj") return open_obj(contract, name, options);
+  if (ending == ".tri") {
+    refuse_frame_options(name, options);
+    return open_tri(contract, name);
+  }
+  if (ending == ".ptrb" || name == "-") {
+    refuse_frame_options(name, options);
+    return open_ptrb(contract, name, options);
+  }
+  throw InputError(name,
+                   "expected a scene: a file .tri, .ptrb or .obj, - for a .ptrb on standard input, "
+                   "or teapot, triangle, grid");
+}
+
+std::vector<std::string> notes(const Counters& c) {
+  std::vector<std::string> lines;
+  const auto note = [&](uint64_t count, const char* text) {
+    if (count > 0) lines.push_back(fmt::format("{} {}", count, text));
+  };
+  note(c.nan_dropped, "triangles dropped: a coordinate is not a number or cannot be projected");
+  note(c.saturated, "coordinates outside the guard band, saturated");
+  note(c.z_clamped, "depths outside [0, 1], clamped");
+  note(c.denormals, "denormal coordinates taken as 0");
+  note(c.clipped, "triangles cut at the near plane or the guard band");
+  note(c.clipped_away, "triangles behind the near plane or outside the guard band");
+  note(c.perspective, "vertices with W other than 1: this version interpolates colours affinely");
+  return lines;
+}
+
+}  // namespace pineda::scene

@@ -1,0 +1,50 @@
+// Opens a scene by name or path: the one door to everything this folder reads.
+#pragma once
+
+#include <istream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/scene/camera.h"
+#include "model/scene/error.h"
+#include "model/scene/source.h"
+
+namespace pineda::scene {
+
+struct Size {
+  int width = 640;
+  int height = 480;
+};
+
+/// What a caller may ask for. Anything that the scene cannot honour is refused, never ignored.
+struct Options {
+  // Meshes and built-in scenes; .tri and .ptrb say these themselves
+  std::optional<Size> size;  // default 640x480, `triangle` 64x64
+  std::optional<spec::Cull> cull;
+  std::optional<spec::DepthFunc> depth;
+  std::optional<Camera> camera;  // meshes only; default: framing_view()
+
+  std::optional<int> tessellate;  // `teapot` only: quads along a patch's side, default 10
+  bool multi_pass = false;        // rewind() must work: a pipe is copied to a temporary file
+  std::istream* input = nullptr;  // what "-" reads, if not standard input
+};
+
+struct Scene {
+  std::string name;
+  spec::FrameState frame;
+  std::unique_ptr<TriangleSource> source;
+  std::vector<std::string> warnings;  // found while opening, one line each
+};
+
+/// In       a path that ends in .tri, .ptrb or .obj; "-" for a .ptrb on standard input; or teapot,
+///          triangle or grid.
+/// Errors   InputError, one line, for everything that is wrong with the name, the options or the
+///          file. A .tri line or a .ptrb vertex may be found wrong only by next().
+Scene open_scene(const spec::Contract& contract, const std::string& name, const Options& options);
+
+/// The counters as sentences for a person, those that are zero left out.
+std::vector<std::string> notes(const Counters& counters);
+
+}  // namespace pineda::scene

@@ -1,0 +1,55 @@
+// Triangles after the viewport transform and before snapping: what .tri and .ptrb hold.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "model/scene/source.h"
+
+namespace pineda::scene {
+
+/// x, y in px, y down; z in [0, 1]; w the clip-space w; straight colour.
+struct ScreenVertex {
+  float x = 0;
+  float y = 0;
+  float z = 0;
+  float w = 1;
+  std::array<uint8_t, 4> rgba{};
+};
+
+struct ScreenTriangle {
+  uint32_t id = 0;
+  std::array<ScreenVertex, 3> v;
+};
+
+/// A pull stream of screen triangles; it counts the triangles it reads and what it cuts or drops.
+class ScreenReader {
+ public:
+  virtual ~ScreenReader() = default;
+  virtual bool read(ScreenTriangle* triangle, Counters* counters) = 0;
+  virtual void rewind() = 0;
+};
+
+/// Screen triangles from memory.
+class ListReader final : public ScreenReader {
+ public:
+  explicit ListReader(std::vector<ScreenTriangle> triangles) : triangles_(std::move(triangles)) {}
+
+  bool read(ScreenTriangle* triangle, Counters* counters) override {
+    if (next_ == triangles_.size()) return false;
+    ++counters->triangles;
+    *triangle = triangles_[next_++];
+    return true;
+  }
+  void rewind() override { next_ = 0; }
+
+ private:
+  std::vector<ScreenTriangle> triangles_;
+  size_t next_ = 0;
+};
+
+}  // namespace pineda::scene

@@ -1,0 +1,87 @@
+#include "model/scene/snap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace pineda::scene {
+namespace {
+
+bool is_denormal(float value) { return std::fpclassify(value) == FP_SUBNORMAL; }
+
+bool has_nan(const ScreenTriangle& triangle) {
+  return std::any_of(triangle.v.begin(), triangle.v.end(), [](const ScreenVertex& v) {
+    return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z) || std::isnan(v.w);
+  });
+}
+
+}  // namespace
+
+int32_t snap_coordinate(const spec::Contract& c, float value_px, Counters* counters) {
+  if (is_denormal(value_px)) {
+    ++counters->denormals;
+    return 0;
+  }
+  // Exact: a power of two moves only the exponent, and a double has room for every float's.
+  const double scaled = static_cast<double>(value_px) * (1 << c.design.subpixel_bits);
+  const double rounded = std::nearbyint(scaled);  // halves to even
+  const int32_t limit = 1 << (c.design.guard_bits + c.design.subpixel_bits);
+  if (rounded >= -limit && rounded < limit) return static_cast<int32_t>(rounded);
+  ++counters->saturated;
+  return rounded < 0 ? -limit : limit - 1;
+}
+
+int64_t snap_depth(const spec::Contract& c, float z, Counters* counters) {
+  if (is_denormal(z)) {
+    ++counters->denormals;
+    return 0;
+  }
+  if (z < 0 || z > 1) {
+    ++counters->z_clamped;
+    z = z < 0 ? 0.0f : 1.0f;
+  }
+  if (z == 0) return 0;
+  // z = mantissa * 2^(exponent - 150) with 2^23 <= mantissa < 2^24 and 1 <= exponent <= 127.
+  uint32_t bits;
+  std::memcpy(&bits, &z, sizeof bits);
+  const int64_t mantissa = (bits & 0x7fffff) | 0x800000;
+  const int shift = 150 - static_cast<int>(bits >> 23);
+  const int64_t product = ((mantissa << c.design.depth_bits) - mantissa)
+                          << spec::kDepthInputFractionBits;
+  // The product lies below 2^56, so from a shift of 58 on it rounds to 0.
+  return shift > 57 ? 0 : spec::round_half_up(product, shift);
+}
+
+spec::Vertex SnappedSource::snap(const ScreenVertex& vertex) {
+  spec::Vertex snapped;
+  snapped.x = snap_coordinate(contract_, vertex.x, &counters_);
+  snapped.y = snap_coordinate(contract_, vertex.y, &counters_);
+  snapped.z = snap_depth(contract_, vertex.z, &counters_);
+  const size_t count = std::min<size_t>(static_cast<size_t>(contract_.design.attributes), 4);
+  const int32_t greatest = (1 << contract_.design.attribute_bits) - 1;
+  for (size_t i = 0; i < count; ++i) {
+    snapped.attr[i] = (2 * vertex.rgba[i] * greatest + 255) / 510;
+  }
+  return snapped;
+}
+
+bool SnappedSource::next(spec::Triangle* triangle) {
+  ScreenTriangle screen;
+  while (reader_->read(&screen, &counters_)) {
+    if (has_nan(screen)) {
+      ++counters_.nan_dropped;
+      continue;
+    }
+    triangle->id = screen.id;
+    for (size_t i = 0; i < 3; ++i) triangle->v[i] = snap(screen.v[i]);
+    return true;
+  }
+  return false;
+}
+
+void SnappedSource::rewind() {
+  reader_->rewind();
+  counters_ = {};
+}
+
+}  // namespace pineda::scene

@@ -1,0 +1,44 @@
+// Snapping: screen triangles in binary32 become the fixed-point triangles that setup takes.
+#pragma once
+
+#include <memory>
+
+#include "model/scene/screen.h"
+
+namespace pineda::scene {
+
+/// A coordinate in units of 2^-S px.
+///
+/// Bits     nearest multiple of 2^-S, halves to even, then saturated to
+///          [-2^guard_bits, 2^guard_bits - 2^-S]; a denormal is 0. For every float but NaN.
+/// Errors   none: saturation and denormals are counted.
+int32_t snap_coordinate(const spec::Contract& contract, float value_px, Counters* counters);
+
+/// A depth in units of 2^-8 codes.
+///
+/// Bits     z*(2^depth_bits - 1), halves up, in integers with one rounding: in binary32
+///          z*16777215+.5f is wrong for half of all floats in [.5, 1]. For every float but NaN.
+/// Errors   none: z outside [0, 1] is clamped and counted; a denormal is 0 and counted.
+int64_t snap_depth(const spec::Contract& contract, float z, Counters* counters);
+
+/// Snaps the triangles of a reader.
+///
+/// Bits     colours are exact at 8 bits; a design of n bits takes c*(2^n - 1)/255 to the nearest.
+///          Designs of fewer than four attributes take the first ones; of more, the rest are 0.
+/// Drops    triangles with a NaN in x, y, z or w: counted.
+class SnappedSource final : public TriangleSource {
+ public:
+  SnappedSource(const spec::Contract& contract, std::unique_ptr<ScreenReader> reader)
+      : contract_(contract), reader_(std::move(reader)) {}
+
+  bool next(spec::Triangle* triangle) override;
+  void rewind() override;
+
+ private:
+  spec::Vertex snap(const ScreenVertex& vertex);
+
+  spec::Contract contract_;
+  std::unique_ptr<ScreenReader> reader_;
+};
+
+}  // namespace pineda::scene

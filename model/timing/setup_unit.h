@@ -1,0 +1,67 @@
+// Triangle setup in time.
+#pragma once
+
+#include <deque>
+
+#include "model/timing/frame.h"
+#include "model/timing/stream.h"
+
+namespace pineda::timing {
+
+/// Triangle setup: one triangle in, three edge functions and the planes out.
+///
+/// Bits     core::setup() defines every output bit; this class adds only time.
+/// In       tri_i: vertices sQ14.8 px, snapped, inside the guard band; y down.
+/// Out      prim_o: edges and planes at the first sample of the box's first tile.
+/// Rate     1 triangle every width.setup_interval_cycles, a dropped one every 5; latency
+///          width.setup_planes_step + design.attributes + 7.
+/// Drops    area2 = 0, culled by facing, box without a sample or outside the frame: accepted,
+///          counted, not sent.
+/// Errors   a stream left unbound: SC_REPORT_FATAL "pineda/setup/unbound".
+/// Twin     rtl/setup_unit.sv, same ports. Source: Pineda, SIGGRAPH 1988.
+///
+/// Timing. An output that is offered and not taken freezes the whole unit. So the unit has a time
+/// of its own, its steps: a step is a cycle without such a freeze, and
+///   cycle(step) = step + the cycles frozen at steps up to and including it.
+/// In steps, triangle n is accepted and its output offered in
+///   accept[n] >= accept[n-1] + (dropped[n-1] ? 5 : interval),  cycle(accept[n]) >= offered[n],
+///   output[n] = accept[n] + latency,
+/// the least such accept[n]. The unit freezes at step output[n] for as many cycles as the FIFO
+/// takes the output later than cycle(output[n]): with the freezes of earlier outputs, which are all
+/// known when output n is handed over. Triangles n+1 and n+2 may be accepted before that step, so
+/// a freeze waits in a list until the acceptances have come past its step.
+class SetupUnit final : public sc_core::sc_module {
+ public:
+  Port<StreamIn<spec::Triangle>> tri_i{"tri_i"};
+  Port<StreamOut<spec::SetupPrim>> prim_o{"prim_o"};
+
+  SetupUnit(sc_core::sc_module_name name, const spec::Contract& contract);
+
+  void begin_frame(Frame* frame);
+  /// The first cycle in which the unit is idle, once all triangles are through.
+  Cycle idle_from() const;
+  /// `drained`: the cycle in which the frame has drained.
+  UnitCycles cycles(Cycle drained) const;
+
+ private:
+  struct Freeze {
+    Cycle step;
+    Cycle cycles;
+  };
+
+  void end_of_elaboration() override;
+  void run();
+  Cycle accept(Cycle offered);  // the cycle in which a triangle offered from then on is accepted
+  void send(const spec::SetupPrim& prim, Cycle accepted_step);
+
+  spec::Contract contract_;
+  Frame* frame_ = nullptr;
+  Cycle next_step_ = 0;         // the first step in which a triangle can be accepted
+  Cycle busy_ = 0;              // steps spent on triangles
+  Cycle frozen_ = 0;            // cycles frozen at steps before next_step_
+  Cycle total_frozen_ = 0;      // the same with those still listed
+  std::deque<Freeze> freezes_;  // at steps that no acceptance has reached yet
+  Cycle last_output_ = -1;      // the cycle in which the last output was taken
+};
+
+}  // namespace pineda::timing

@@ -1,0 +1,57 @@
+// Traversal in time.
+#pragma once
+
+#include "model/timing/frame.h"
+#include "model/timing/stream.h"
+
+namespace pineda::timing {
+
+/// Traversal: the tiles of a triangle's box, then the stamps of each tile that is not rejected.
+///
+/// Bits     core::TileWalk and core::StampWalk define every output bit; this class adds only time.
+/// In       prim_i: edges and planes at the first sample of the box's first tile.
+/// Out      stamp_o: coverage mask and planes of one stamp; never empty.
+/// Rate     one tile test a cycle and one stamp test a cycle, side by side. Latency 4 cycles.
+/// Drops    tiles that an edge rejects, stamps without a covered sample: counted.
+/// Errors   a stream left unbound: SC_REPORT_FATAL "pineda/traversal/unbound".
+/// Twin     rtl/traversal_unit.sv, same ports. Source: Pineda, SIGGRAPH 1988.
+///
+/// Timing. Two walkers with a FIFO between them, each with a local time. The tile walker takes a
+/// triangle as early as in the cycle of its last test and tests its first tile in the next one:
+///   taken = max(last test, visible);  test[0] = taken + 1;  test[k+1] = done[k] + 1
+///   done[k] = test[k] if rejected, else the cycle in which the FIFO takes the tile.
+/// The stamp walker does the same with tiles and stamps. A stamp that is not empty goes into an
+/// output register, which is free again in the cycle in which the stamp in it is taken:
+///   done[k] = test[k] if empty, else max(test[k], sent[k'])   k' = the stamp sent before
+///   sent[k] = the cycle in which the next FIFO takes what is offered from done[k] + 1 on.
+class TraversalUnit final : public sc_core::sc_module {
+ public:
+  Port<StreamIn<spec::SetupPrim>> prim_i{"prim_i"};
+  Port<StreamOut<spec::Stamp>> stamp_o{"stamp_o"};
+
+  TraversalUnit(sc_core::sc_module_name name, const spec::Contract& contract);
+
+  void begin_frame(Frame* frame);
+  /// The first cycle in which the unit is idle, once all triangles are through.
+  Cycle idle_from() const;
+  /// `drained`: the cycle in which the frame has drained.
+  UnitCycles tile_cycles(Cycle drained) const;
+  UnitCycles stamp_cycles(Cycle drained) const;
+
+ private:
+  void end_of_elaboration() override;
+  void run_tiles();
+  void run_stamps();
+  void walk(const spec::SetupPrim& prim);
+  void walk(const spec::Tile& tile);
+  void send(const spec::Stamp& stamp);
+
+  spec::Contract contract_;
+  Frame* frame_ = nullptr;
+  TimedFifo<spec::Tile> tiles_;
+  LocalTime tile_time_;
+  LocalTime stamp_time_;
+  Cycle stamp_sent_ = -1;  // the cycle in which the last stamp was taken
+};
+
+}  // namespace pineda::timing

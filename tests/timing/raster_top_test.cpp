@@ -1,0 +1,264 @@
+// The whole rasterizer: small frames worked by hand, bits against core, counters, errors.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <stdexcept>
+
+#include "tests/timing/support.h"
+
+namespace pineda::test {
+namespace {
+
+using timing::ExternalPort;
+using Cycles = std::vector<Cycle>;
+
+template <class T>
+Cycles cycles_of(const std::vector<Event<T>>& events) {
+  Cycles cycles;
+  for (const auto& event : events) cycles.push_back(static_cast<Cycle>(event.cycle));
+  return cycles;
+}
+
+// Covers a frame of up to 64 x 64 px.
+spec::Triangle cover(int64_t z = 1000) { return flat_triangle(0, 0, 128, 0, 0, 128, z); }
+
+class RasterTopTiming : public testing::Test {
+ protected:
+  timing::FrameResult run(const Scene& scene) {
+    record_ = {};
+    ModelRecorder recorder(&record_);
+    return top_.run(scene.frame, pull_from(scene), &recorder);
+  }
+
+  timing::RasterTop top_{"top", kContract};
+  Record record_;
+};
+
+// Accepted in 2, set up in 21, its tile tested in 23, its stamp in 25, sent in 26, its read in 27,
+// the response there in 36, the writes in 37.
+TEST_F(RasterTopTiming, OneStampTakesThirtyEightCycles) {
+  const auto result = run({{2, 2}, {cover()}});
+  EXPECT_EQ(cycles_of(record_.prims), Cycles{21});
+  EXPECT_EQ(cycles_of(record_.stamps), Cycles{26});
+  EXPECT_EQ(cycles_of(record_.depths), Cycles{37});
+  EXPECT_EQ(cycles_of(record_.colors), Cycles{37});
+  EXPECT_EQ(result.cycles, 38);
+  EXPECT_EQ(result.drained_cycles, 38);
+}
+
+TEST_F(RasterTopTiming, EachCycleOfLatencyCostsOne) {
+  for (int latency = 1; latency <= 64; ++latency) {
+    top_.set_depth_latency_cycles(latency);
+    EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 30 + latency);
+  }
+}
+
+TEST_F(RasterTopTiming, DepthOffDoesNotWaitForTheMemory) {
+  top_.set_depth_latency_cycles(64);
+  const auto result = run({{2, 2, spec::Cull::kNone, spec::DepthFunc::kOff}, {cover(), cover()}});
+  EXPECT_EQ(cycles_of(record_.colors), (Cycles{30, 42}));
+  EXPECT_TRUE(record_.depths.empty());
+  EXPECT_EQ(result.interp_ztest.hazard, 0);
+}
+
+TEST_F(RasterTopTiming, FrameWithoutWritesLastsToItsClear) {
+  EXPECT_EQ(run({{2, 2}, {}}).cycles, 2);
+  const auto dropped = run({{2, 2}, {flat_triangle(0, 0, 1, 1, 2, 2)}});
+  EXPECT_EQ(dropped.cycles, 2);
+  EXPECT_EQ(dropped.drained_cycles, 7);
+}
+
+// The second stamp of the same address is there in 39. The first one's read is accepted in 27, its
+// write in 27 + 66: the address is free in 94.
+TEST_F(RasterTopTiming, StampOfAnAddressInFlightWaitsForItsWrite) {
+  top_.set_depth_latency_cycles(64);
+  const auto result = run({{2, 2}, {cover(1000), cover(999)}});
+  EXPECT_EQ(cycles_of(record_.depths), (Cycles{93, 160}));
+  EXPECT_EQ(result.interp_ztest.hazard, 94 - 39);
+}
+
+// An address whose stamp fails the test is in flight as long as if it had been written.
+TEST_F(RasterTopTiming, HazardDoesNotDependOnDepth) {
+  top_.set_depth_latency_cycles(64);
+  const auto result = run({{2, 2}, {cover(1000), cover(2000), cover(500)}});
+  EXPECT_EQ(cycles_of(record_.depths), (Cycles{93, 227}));
+  EXPECT_EQ(result.cycles, 228);
+}
+
+TEST_F(RasterTopTiming, StampEveryCycleAtTheLongestLatency) {
+  top_.set_depth_latency_cycles(64);
+  const auto result = run({{64, 64}, {cover()}});
+  ASSERT_EQ(record_.colors.size(), 1024u);
+  for (size_t i = 0; i < 1024; ++i) ASSERT_EQ(record_.colors[i].cycle, 93 + i);
+  EXPECT_EQ(result.stamps.busy, 1024);
+  EXPECT_EQ(result.interp_ztest.busy, 1024);
+  EXPECT_EQ(result.interp_ztest.blocked, 0);
+}
+
+// Reads are accepted in 27 .. 98, then the table holds 72 stamps until the first write in 500.
+TEST_F(RasterTopTiming, FullTableBlocksUntilTheOldestStampIsWritten) {
+  top_.set_ready([](ExternalPort port, Cycle cycle) {
+    return port != ExternalPort::kDepthWrite || cycle >= 500;
+  });
+  const auto result = run({{64, 64}, {cover()}});
+  EXPECT_EQ(record_.depths.front().cycle, 500u);
+  EXPECT_EQ(result.interp_ztest.blocked, 501 - 99);
+  // The 73rd read is accepted in 501, in time for its write in 572: the writes do not pause.
+  EXPECT_EQ(record_.depths.back().cycle, 500u + 1023);
+}
+
+TEST_F(RasterTopTiming, ClearThatWaitsDelaysTheFirstTriangle) {
+  top_.set_ready(
+      [](ExternalPort port, Cycle cycle) { return port != ExternalPort::kClear || cycle >= 11; });
+  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 38 + 10);
+  EXPECT_EQ(run({{2, 2}, {}}).cycles, 12);
+}
+
+// ---- Properties of any scene
+
+Record core_record(const Scene& scene, core::FrameCounters* counters, core::FrameBuffer* buffer) {
+  struct Sink {
+    Record record;
+    void prim(const spec::SetupPrim& t) { record.prims.push_back({0, t}); }
+    void stamp(const spec::Stamp& t) { record.stamps.push_back({0, t}); }
+    void depth(const spec::DepthWrite& t) { record.depths.push_back({0, t}); }
+    void color(const spec::ColorWrite& t) { record.colors.push_back({0, t}); }
+  } sink;
+  core::Renderer renderer(kContract, scene.frame);
+  for (const spec::Triangle& t : scene.triangles) renderer.draw(t, sink);
+  *counters = renderer.counters();
+  *buffer = renderer.buffer();
+  return sink.record;
+}
+
+class RasterTopScenes : public RasterTopTiming, public testing::WithParamInterface<Kind> {};
+
+TEST_P(RasterTopScenes, BitsAndCountersAreThoseOfCore) {
+  uint64_t stamps = 0;
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const Scene scene = random_scene(GetParam(), 1000 + seed, 30);
+    core::FrameCounters expected;
+    core::FrameBuffer buffer;
+    const Record tokens = core_record(scene, &expected, &buffer);
+    const auto result = run(scene);
+    ASSERT_EQ(difference(tokens, record_, false), "") << "seed " << seed;
+    ASSERT_EQ(top_.buffer().depth, buffer.depth);
+    ASSERT_EQ(top_.buffer().color, buffer.color);
+    const core::FrameCounters& got = result.counters;
+    ASSERT_EQ(got.triangles, expected.triangles);
+    ASSERT_EQ(got.dropped, expected.dropped);
+    ASSERT_EQ(got.tiles_tested, expected.tiles_tested);
+    ASSERT_EQ(got.tiles_rejected, expected.tiles_rejected);
+    ASSERT_EQ(got.tiles_accepted, expected.tiles_accepted);
+    ASSERT_EQ(got.stamps, expected.stamps);
+    ASSERT_EQ(got.fragments, expected.fragments);
+    ASSERT_EQ(got.passed, expected.passed);
+    stamps += got.stamps;
+  }
+  EXPECT_GT(stamps, 200u);
+}
+
+TEST_P(RasterTopScenes, CausesOfEachUnitAddUpToTheFrame) {
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    // Each port stands still every third cycle, another one in each cycle.
+    top_.set_ready([seed](ExternalPort port, Cycle cycle) {
+      return (cycle + static_cast<Cycle>(port)) % 3 != static_cast<Cycle>(seed % 3);
+    });
+    const auto result = run(random_scene(GetParam(), 2000 + seed, 30));
+    for (const auto& unit : {result.setup, result.tiles, result.stamps, result.interp_ztest}) {
+      ASSERT_EQ(unit.total(), result.drained_cycles);
+      ASSERT_GE(std::min({unit.busy, unit.starved, unit.blocked, unit.hazard}), 0);
+    }
+    const core::FrameCounters& n = result.counters;
+    const auto sent = static_cast<Cycle>(n.dropped[0]);
+    ASSERT_EQ(result.setup.busy, 12 * sent + 5 * (static_cast<Cycle>(n.triangles) - sent));
+    ASSERT_EQ(result.tiles.busy, static_cast<Cycle>(n.tiles_tested));
+    ASSERT_EQ(result.interp_ztest.busy, static_cast<Cycle>(n.stamps));
+    ASSERT_GE(result.drained_cycles, result.cycles);
+  }
+}
+
+TEST_P(RasterTopScenes, FrameDoesNotDependOnTheFramesBefore) {
+  const Scene scene = random_scene(GetParam(), 5, 40);
+  const auto first = run(scene);
+  const Record expected = record_;
+  run(random_scene(Kind::kMixed, 6, 40));
+  const auto again = run(scene);
+  EXPECT_EQ(difference(expected, record_, true), "");
+  EXPECT_EQ(first.cycles, again.cycles);
+  EXPECT_EQ(first.counters.passed, again.counters.passed);
+  EXPECT_EQ(first.interp_ztest.hazard, again.interp_ztest.hazard);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, RasterTopScenes, testing::ValuesIn(kKinds),
+                         [](const auto& p) { return kind_name(p.param); });
+
+// ---- Errors
+
+// SystemC reports on stdout, a death test listens to stderr.
+void report_on_stderr() { dup2(STDERR_FILENO, STDOUT_FILENO); }
+
+TEST_F(RasterTopTiming, LatencyOutsideTheDesignIsRefused) {
+  EXPECT_THROW(top_.set_depth_latency_cycles(0), std::invalid_argument);
+  EXPECT_THROW(top_.set_depth_latency_cycles(65), std::invalid_argument);
+  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 38);  // still that of the design
+}
+
+TEST_F(RasterTopTiming, FrameOutsideTheGuardBandIsRefused) {
+  EXPECT_THROW(run({{0, 2}, {}}), std::invalid_argument);
+  EXPECT_THROW(run({{2, 16385}, {}}), std::invalid_argument);
+}
+
+TEST_F(RasterTopTiming, FailureOfThePullComesBackAndTheNextFrameIsClean) {
+  int left = 2;
+  const auto pull = [&left](spec::Triangle* t) {
+    if (left-- == 0) throw std::runtime_error("line 3: expected a number");
+    *t = cover();
+    return true;
+  };
+  EXPECT_THROW(top_.run({2, 2}, pull), std::runtime_error);
+  EXPECT_EQ(left, -1);
+  EXPECT_EQ(top_.buffer().depth[0], 1000u);  // the triangles before it are drawn
+  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 38);
+}
+
+TEST_F(RasterTopTiming, PortThatIsNeverReadyIsFatal) {
+  top_.set_ready([](ExternalPort port, Cycle) { return port != ExternalPort::kColorWrite; });
+  EXPECT_DEATH(
+      {
+        report_on_stderr();
+        run({{2, 2}, {cover()}});
+      },
+      "pineda/port/stuck");
+}
+
+TEST(Unbound, EveryUnitSaysWhichPort) {
+  EXPECT_DEATH(
+      {
+        report_on_stderr();
+        timing::SetupUnit unit("unit", kContract);
+        timing::TriangleSource source("source");
+        unit.tri_i(source);
+        sc_core::sc_start();
+      },
+      "pineda/setup/unbound: unit.prim_o");
+  EXPECT_DEATH(
+      {
+        report_on_stderr();
+        timing::TraversalUnit unit("unit", kContract);
+        sc_core::sc_start();
+      },
+      "pineda/traversal/unbound: unit.prim_i");
+  EXPECT_DEATH(
+      {
+        report_on_stderr();
+        timing::InterpZtestUnit unit("unit", kContract);
+        timing::TimedFifo<spec::Stamp> stamps("stamps", 4);
+        unit.stamp_i(stamps);
+        sc_core::sc_start();
+      },
+      "pineda/interp_ztest/unbound: unit.depth_io");
+}
+
+}  // namespace
+}  // namespace pineda::test

@@ -1,0 +1,123 @@
+// The cycles of the model are those of the Verilated RTL, token by token, at every unit boundary.
+#include <gtest/gtest.h>
+
+#include "tb/frame_bench.h"
+#include "tests/timing/support.h"
+
+namespace pineda::test {
+namespace {
+
+using BenchRecorder = Recorder<tb::Listener, uint64_t>;
+
+// The stalls of the benches, as the model takes them.
+timing::Ready ready_of(const tb::Stalls& stalls) {
+  return [stalls](timing::ExternalPort port, Cycle cycle) {
+    static constexpr tb::Port kPorts[] = {tb::Port::kTriangle, tb::Port::kClear,
+                                          tb::Port::kDepthRead, tb::Port::kDepthWrite,
+                                          tb::Port::kColorWrite};
+    return !stalls(kPorts[static_cast<int>(port)], static_cast<uint64_t>(cycle));
+  };
+}
+
+// The first difference between RTL and model on a scene, each as after a reset; empty if none. The
+// RTL runs with the memory latency of `options`, the model with `model_latency`.
+class Comparison {
+ public:
+  std::string run(const Scene& scene, const tb::BenchOptions& options, int model_latency) {
+    tb::FrameBench bench(library_, options);
+    Record expected;
+    Record got;
+    BenchRecorder bench_recorder(&expected);
+    ModelRecorder model_recorder(&got);
+    const auto rtl = bench.run(scene.frame, pull_from(scene), &bench_recorder);
+    top_.set_depth_latency_cycles(model_latency);
+    top_.set_ready(ready_of({options.stall_mode, options.seed}));
+    const auto model = top_.run(scene.frame, pull_from(scene), &model_recorder);
+    stamps_ += expected.stamps.size();
+    if (const auto text = difference(expected, got, true); !text.empty()) return text;
+    if (rtl.cycles == static_cast<uint64_t>(model.cycles)) return {};
+    return "frame: expected " + std::to_string(rtl.cycles) + " cycles, got " +
+           std::to_string(model.cycles);
+  }
+  std::string run(const Scene& scene, const tb::BenchOptions& options) {
+    return run(scene, options, options.depth_latency_cycles);
+  }
+  size_t stamps() const { return stamps_; }
+
+ private:
+  tb::RtlLibrary library_{kContract};
+  timing::RasterTop top_{"top", kContract};
+  size_t stamps_ = 0;
+};
+
+class RtlCycles : public testing::TestWithParam<Kind> {};
+
+TEST_P(RtlCycles, EqualWhenNothingStalls) {
+  Comparison comparison;
+  for (uint64_t seed = 0; seed < 24; ++seed) {
+    static constexpr int kLatencies[] = {1, 2, 3, 8, 33, 64};
+    tb::BenchOptions options;
+    options.depth_latency_cycles = kLatencies[seed % 6];
+    const Scene scene = random_scene(GetParam(), seed, 12 + static_cast<int>(seed) * 3);
+    ASSERT_EQ(comparison.run(scene, options), "") << "seed " << seed;
+  }
+  EXPECT_GT(comparison.stamps(), 500u);
+}
+
+TEST_P(RtlCycles, EqualUnderTheSameStalls) {
+  Comparison comparison;
+  for (uint64_t seed = 0; seed < 24; ++seed) {
+    tb::BenchOptions options;
+    options.depth_latency_cycles = 1 + static_cast<int>(seed * 17 % 64);
+    options.stall_mode = tb::kStallModes[1 + seed % 3];
+    options.seed = seed;
+    const Scene scene = random_scene(GetParam(), 100 + seed, 10 + static_cast<int>(seed) * 2);
+    ASSERT_EQ(comparison.run(scene, options), "") << "seed " << seed;
+  }
+  EXPECT_GT(comparison.stamps(), 500u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, RtlCycles, testing::ValuesIn(kKinds),
+                         [](const auto& p) { return kind_name(p.param); });
+
+TEST(RtlLatency, EqualAtEveryLatency) {
+  Comparison comparison;
+  tb::BenchOptions options;
+  for (int latency = 1; latency <= 64; ++latency) {
+    options.depth_latency_cycles = latency;
+    const Scene scene = random_scene(Kind::kMixed, static_cast<uint64_t>(latency), 20);
+    ASSERT_EQ(comparison.run(scene, options), "") << "latency " << latency;
+  }
+}
+
+// The end of a frame is taken in the cycle in which the model says that the pipeline has drained,
+// and the next frame is offered in the one after.
+TEST(RtlFrames, DrainedCyclesPlaceTheNextFrame) {
+  const tb::RtlLibrary library(kContract);
+  tb::FrameBench bench(library, {});
+  timing::RasterTop top("top", kContract);
+  uint64_t start = 0;
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const Scene scene = random_scene(kKinds[seed % 7], seed, static_cast<int>(seed % 5) * 6);
+    Record expected;
+    Record got;
+    BenchRecorder bench_recorder(&expected, start);
+    ModelRecorder model_recorder(&got);
+    const auto rtl = bench.run(scene.frame, pull_from(scene), &bench_recorder);
+    const auto model = top.run(scene.frame, pull_from(scene), &model_recorder);
+    ASSERT_EQ(difference(expected, got, true), "") << "seed " << seed;
+    ASSERT_EQ(rtl.cycles, static_cast<uint64_t>(model.cycles)) << "seed " << seed;
+    start += static_cast<uint64_t>(model.drained_cycles) + 1;
+  }
+}
+
+TEST(RtlLatency, OneCycleLessInTheModelIsNoticed) {
+  Comparison comparison;
+  tb::BenchOptions options;
+  options.depth_latency_cycles = 9;
+  const Scene scene = random_scene(Kind::kMedium, 3, 20);
+  EXPECT_NE(comparison.run(scene, options, 8), "");
+}
+
+}  // namespace
+}  // namespace pineda::test

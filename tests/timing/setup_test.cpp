@@ -1,0 +1,118 @@
+// SetupUnit between a scripted source and a scripted sink, cycles worked by hand. A triangle takes
+// 12 cycles and its output comes 19 after it.
+#include <gtest/gtest.h>
+
+#include "tests/timing/support.h"
+
+namespace pineda::test {
+namespace {
+
+using Cycles = std::vector<Cycle>;
+
+// Offers triangle i from cycles[i] on.
+class Source final : public timing::StreamIn<spec::Triangle> {
+ public:
+  Source(std::vector<spec::Triangle> tokens, Cycles cycles)
+      : triangles(std::move(tokens)), offers(std::move(cycles)) {}
+  const spec::Triangle& front(Cycle* visible) override {
+    while (taken.size() == triangles.size()) sc_core::wait(never_);
+    *visible = offers[taken.size()];
+    return triangles[taken.size()];
+  }
+  void pop(Cycle cycle) override { taken.push_back(cycle); }
+
+  std::vector<spec::Triangle> triangles;
+  Cycles offers, taken;
+
+ private:
+  sc_core::sc_event never_;
+};
+
+// Takes token i from takes[i] on.
+class Sink final : public timing::StreamOut<spec::SetupPrim> {
+ public:
+  explicit Sink(Cycles cycles) : takes(std::move(cycles)) {}
+  Cycle push(const spec::SetupPrim&, Cycle earliest) override {
+    offered.push_back(earliest);
+    return std::max(earliest, takes[offered.size() - 1]);
+  }
+
+  Cycles takes, offered;
+};
+
+class SetupTiming : public testing::Test {
+ protected:
+  void run(Source* source, Sink* sink) {
+    setup_.tri_i(*source);
+    setup_.prim_o(*sink);
+    setup_.begin_frame(&frame_);
+    sc_core::sc_start();
+  }
+
+  const spec::Triangle good_ = flat_triangle(0, 0, 8, 0, 0, 8);
+  const spec::Triangle bad_ = flat_triangle(0, 0, 4, 4, 8, 8);  // zero area
+  timing::Listener listener_;
+  timing::Frame frame_{{16, 16, spec::Cull::kNone, spec::DepthFunc::kLess}, &listener_, {}};
+  timing::SetupUnit setup_{"setup", kContract};
+};
+
+TEST_F(SetupTiming, TriangleEveryIntervalAndDroppedOnesEveryFive) {
+  Source source({good_, good_, bad_, bad_, good_}, {2, 0, 0, 0, 50});
+  Sink sink({0, 0, 0});
+  run(&source, &sink);
+  EXPECT_EQ(source.taken, (Cycles{2, 14, 26, 31, 50}));
+  EXPECT_EQ(sink.offered, (Cycles{21, 33, 69}));
+  EXPECT_EQ(setup_.idle_from(), 70);
+  const auto cycles = setup_.cycles(70);
+  EXPECT_EQ(cycles.busy, 3 * 12 + 2 * 5);
+  EXPECT_EQ(cycles.blocked, 0);
+  EXPECT_EQ(cycles.starved, 2 + 14 + 8);
+}
+
+// The first output waits from 21 to 30: 9 cycles. The second triangle came before, the third is
+// accepted 9 cycles later, and so is the second output.
+TEST_F(SetupTiming, OutputNotTakenFreezesTheWholeUnit) {
+  Source source({good_, good_, good_}, {2, 0, 0});
+  Sink sink({30, 0, 0});
+  run(&source, &sink);
+  EXPECT_EQ(source.taken, (Cycles{2, 14, 35}));
+  EXPECT_EQ(sink.offered, (Cycles{21, 42, 54}));
+  EXPECT_EQ(setup_.cycles(55).blocked, 9);
+}
+
+TEST_F(SetupTiming, TriangleThatComesDuringAFreezeIsTakenAsItEnds) {
+  Source source({good_, good_}, {2, 25});
+  Sink sink({30, 0});
+  run(&source, &sink);
+  EXPECT_EQ(source.taken, (Cycles{2, 30}));
+  EXPECT_EQ(sink.offered, (Cycles{21, 49}));
+}
+
+TEST_F(SetupTiming, TriangleThatComesInTheFirstCycleOfAFreezeIsTakenAsItEnds) {
+  Source source({good_, good_}, {2, 21});
+  Sink sink({30, 0});
+  run(&source, &sink);
+  EXPECT_EQ(source.taken, (Cycles{2, 30}));
+}
+
+TEST_F(SetupTiming, TriangleThatComesInTheLastCycleBeforeAFreezeIsTaken) {
+  Source source({good_, good_}, {2, 20});
+  Sink sink({30, 0});
+  run(&source, &sink);
+  EXPECT_EQ(source.taken, (Cycles{2, 20}));
+  EXPECT_EQ(sink.offered, (Cycles{21, 48}));
+}
+
+// Two freezes end before the third triangle comes.
+TEST_F(SetupTiming, FreezesAddUp) {
+  Source source({good_, good_, good_, good_}, {2, 0, 100, 0});
+  Sink sink({30, 50, 0, 0});
+  run(&source, &sink);
+  EXPECT_EQ(source.taken, (Cycles{2, 14, 100, 112}));
+  EXPECT_EQ(sink.offered, (Cycles{21, 42, 119, 131}));
+  EXPECT_EQ(setup_.cycles(132).blocked, 9 + 8);
+  EXPECT_EQ(setup_.cycles(132).busy, 48);
+}
+
+}  // namespace
+}  // namespace pineda::test

@@ -1,0 +1,128 @@
+#include "tests/timing/support.h"
+
+namespace pineda::test {
+
+namespace {
+
+class Random {
+ public:
+  explicit Random(uint64_t seed) : engine_(seed) {}
+  int64_t in(int64_t low, int64_t high) {  // both inclusive
+    return low + static_cast<int64_t>(engine_() % static_cast<uint64_t>(high - low + 1));
+  }
+  int32_t near(int64_t center, int64_t radius) {
+    return static_cast<int32_t>(in(center - radius, center + radius));
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+void randomize_values(Random* random, spec::Triangle* t) {
+  const int64_t far = ((int64_t{1} << spec::kHighTile.depth_bits) - 1)
+                      << spec::kDepthInputFractionBits;
+  for (spec::Vertex& v : t->v) {
+    v.z = random->in(0, far);
+    for (size_t a = 0; a < static_cast<size_t>(spec::kHighTile.attributes); ++a) {
+      v.attr[a] = static_cast<int32_t>(random->in(0, 255));
+    }
+  }
+}
+
+// Corners within `reach` subpixels of a point of the frame.
+void scatter(Random* random, const spec::FrameState& frame, int64_t reach, spec::Triangle* t) {
+  const int64_t x = random->in(0, frame.width * kPx);
+  const int64_t y = random->in(0, frame.height * kPx);
+  for (spec::Vertex& v : t->v) {
+    v.x = random->near(x, reach);
+    v.y = random->near(y, reach);
+  }
+}
+
+void needle(Random* random, const spec::FrameState& frame, spec::Triangle* t) {
+  scatter(random, frame, 200 * kPx, t);
+  t->v[1].x = random->near(t->v[0].x, 2 * kPx);
+  t->v[1].y = random->near(t->v[0].y, 2 * kPx);
+}
+
+spec::Triangle random_triangle(Random* random, const spec::FrameState& frame, Kind kind) {
+  spec::Triangle t;
+  switch (kind) {
+    case Kind::kSmall:
+      scatter(random, frame, 3 * kPx, &t);
+      break;
+    case Kind::kMedium:
+      scatter(random, frame, 20 * kPx, &t);
+      break;
+    case Kind::kHuge:
+      scatter(random, frame, 16000 * kPx, &t);
+      break;
+    case Kind::kNeedles:
+      needle(random, frame, &t);
+      break;
+    case Kind::kOneStamp:
+      scatter(random, {8, 4}, 2 * kPx, &t);
+      break;
+    case Kind::kOneStack:
+      t = flat_triangle(-1, -1, 2 * frame.width + 2, -1, -1, 2 * frame.height + 2);
+      break;
+    case Kind::kMixed:
+      return random_triangle(random, frame, kKinds[random->in(0, 5)]);
+  }
+  randomize_values(random, &t);
+  return t;
+}
+
+}  // namespace
+
+timing::Pull pull_from(const Scene& scene) {
+  return [&scene, i = size_t{0}](spec::Triangle* t) mutable {
+    if (i == scene.triangles.size()) return false;
+    *t = scene.triangles[i++];
+    return true;
+  };
+}
+
+spec::Triangle flat_triangle(int x0, int y0, int x1, int y1, int x2, int y2, int64_t z) {
+  spec::Triangle t;
+  const std::array<std::array<int, 2>, 3> corners{{{x0, y0}, {x1, y1}, {x2, y2}}};
+  for (size_t i = 0; i < 3; ++i) {
+    t.v[i].x = corners[i][0] * kPx;
+    t.v[i].y = corners[i][1] * kPx;
+    t.v[i].z = z << spec::kDepthInputFractionBits;
+  }
+  return t;
+}
+
+const char* kind_name(Kind kind) {
+  static constexpr const char* kNames[] = {"Small",    "Medium",   "Huge", "Needles",
+                                           "OneStamp", "OneStack", "Mixed"};
+  return kNames[static_cast<int>(kind)];
+}
+
+Scene random_scene(Kind kind, uint64_t seed, int triangles) {
+  Random random(seed);
+  Scene scene;
+  scene.frame.width = static_cast<int>(random.in(1, 150));
+  scene.frame.height = static_cast<int>(random.in(1, 90));
+  // Mostly no culling: a scene of dropped triangles says little.
+  scene.frame.cull = static_cast<spec::Cull>(std::max<int64_t>(random.in(-2, 2), 0));
+  scene.frame.depth = static_cast<spec::DepthFunc>(random.in(0, 2));
+  for (int i = 0; i < triangles; ++i) {
+    scene.triangles.push_back(random_triangle(&random, scene.frame, kind));
+    scene.triangles.back().id = static_cast<uint32_t>(i);
+  }
+  return scene;
+}
+
+std::string difference(const Record& expected, const Record& got, bool with_cycles) {
+  for (const std::string& text : {difference(expected.prims, got.prims, with_cycles),
+                                  difference(expected.stamps, got.stamps, with_cycles),
+                                  difference(expected.depths, got.depths, with_cycles),
+                                  difference(expected.colors, got.colors, with_cycles)}) {
+    if (!text.empty()) return text;
+  }
+  return {};
+}
+
+}  // namespace pineda::test
