@@ -65,5 +65,6 @@ void add_render(CLI::App* program, int* exit_code);
 void add_time(CLI::App* program, int* exit_code);
 void add_rtl(CLI::App* program, int* exit_code);
 void add_designs(CLI::App* program, int* exit_code);
+void add_walk(CLI::App* program, int* exit_code);
 
 }  // namespace pineda::cli

@@ -67,33 +67,40 @@ module interpolator (
   assign fragment_valid_o = valid_q;
   assign address_o = address_q;
 
+  // A plane's value, rounded and clamped to its output.
+  function automatic logic [OUT_Z_BITS-1:0] depth_code(input logic signed [Z_BITS-1:0] value);
+    logic signed [Z_BITS-F:0] rounded;
+    rounded = (Z_BITS-F+1)'(signed'(value[Z_BITS-1:F])) +
+              (Z_BITS-F+1)'(signed'({1'b0, value[F-1]}));
+    if (rounded < 0) depth_code = '0;
+    else if (rounded[Z_BITS-F:OUT_Z_BITS] != '0) depth_code = '1;
+    else depth_code = rounded[OUT_Z_BITS-1:0];
+  endfunction
+  function automatic logic [OUT_A_BITS-1:0] attr_code(input logic signed [A_BITS-1:0] value);
+    logic signed [A_BITS-F:0] rounded;
+    rounded = (A_BITS-F+1)'(signed'(value[A_BITS-1:F])) +
+              (A_BITS-F+1)'(signed'({1'b0, value[F-1]}));
+    if (rounded < 0) attr_code = '0;
+    else if (rounded[A_BITS-F:OUT_A_BITS] != '0) attr_code = '1;
+    else attr_code = rounded[OUT_A_BITS-1:0];
+  endfunction
+
   for (genvar lane = 0; lane < LANES; lane++) begin : gen_lanes
     localparam int unsigned COLUMN = lane % (1 << WIDTH_LOG2);
     localparam int unsigned ROW = lane / (1 << WIDTH_LOG2);
-    logic signed [Z_BITS-1:0] z;
-    logic signed [Z_BITS-F:0] z_rounded;
-    assign z = z_q + z_dx_q * Z_BITS'(signed'({1'b0, COLUMN[2:0]})) +
-               z_dy_q * Z_BITS'(signed'({1'b0, ROW[2:0]}));
-    assign z_rounded = (Z_BITS-F+1)'(signed'(z[Z_BITS-1:F])) +
-                       (Z_BITS-F+1)'(signed'({1'b0, z[F-1]}));
     always_comb begin
-      if (!address_q.mask[lane] || z_rounded < 0) z_o[lane*OUT_Z_BITS +: OUT_Z_BITS] = '0;
-      else if (z_rounded[Z_BITS-F:OUT_Z_BITS] != '0) z_o[lane*OUT_Z_BITS +: OUT_Z_BITS] = '1;
-      else z_o[lane*OUT_Z_BITS +: OUT_Z_BITS] = z_rounded[OUT_Z_BITS-1:0];
-    end
-    for (genvar a = 0; a < ATTRIBUTES; a++) begin : gen_attrs
-      localparam int unsigned OUT = (lane * ATTRIBUTES + a) * OUT_A_BITS;
-      logic [A_BITS-1:0] value;
-      logic signed [A_BITS-F:0] rounded;
-      assign value = attr_q[a*A_BITS +: A_BITS] +
-                     attr_dx_q[a*A_BITS +: A_BITS] * A_BITS'(COLUMN) +
-                     attr_dy_q[a*A_BITS +: A_BITS] * A_BITS'(ROW);
-      assign rounded = (A_BITS-F+1)'(signed'(value[A_BITS-1:F])) +
-                       (A_BITS-F+1)'(signed'({1'b0, value[F-1]}));
-      always_comb begin
-        if (!address_q.mask[lane] || rounded < 0) attr_o[OUT +: OUT_A_BITS] = '0;
-        else if (rounded[A_BITS-F:OUT_A_BITS] != '0) attr_o[OUT +: OUT_A_BITS] = '1;
-        else attr_o[OUT +: OUT_A_BITS] = rounded[OUT_A_BITS-1:0];
+      z_o[lane*OUT_Z_BITS +: OUT_Z_BITS] = '0;
+      attr_o[lane*ATTRIBUTES*OUT_A_BITS +: ATTRIBUTES*OUT_A_BITS] = '0;
+      if (valid_q && address_q.mask[lane]) begin
+        z_o[lane*OUT_Z_BITS +: OUT_Z_BITS] =
+            depth_code(z_q + z_dx_q * Z_BITS'(signed'({1'b0, COLUMN[2:0]})) +
+                       z_dy_q * Z_BITS'(signed'({1'b0, ROW[2:0]})));
+        for (int unsigned a = 0; a < ATTRIBUTES; a++) begin
+          attr_o[(lane*ATTRIBUTES+a)*OUT_A_BITS +: OUT_A_BITS] =
+              attr_code(attr_q[a*A_BITS +: A_BITS] +
+                        attr_dx_q[a*A_BITS +: A_BITS] * A_BITS'(COLUMN) +
+                        attr_dy_q[a*A_BITS +: A_BITS] * A_BITS'(ROW));
+        end
       end
     end
   end

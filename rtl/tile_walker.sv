@@ -34,6 +34,8 @@ module tile_walker (
   localparam int unsigned TILE_Z_BITS = pineda_pkg::DEPTH_TILE_PLANE_BITS;
   localparam int unsigned NARROWING =
       pineda_pkg::GRADIENT_FRACTION_BITS - pineda_pkg::TILE_FRACTION_BITS;
+  // Planes inside a tile carry fewer fraction bits. Rounding, halves up, adds the last bit cut off.
+  localparam int unsigned LAST_CUT = NARROWING > 0 ? NARROWING - 1 : 0;
 
   logic busy_q;
   pineda_pkg::setup_prim_t prim_q; // its e and refs are those of the tile under test
@@ -74,46 +76,45 @@ module tile_walker (
   end
   assign rejected = rejects != '0;
 
-  // ---- The tile
-  assign tile_o.id = prim_q.id;
-  assign tile_o.x = x_q;
-  assign tile_o.y = y_q;
-  assign tile_o.x0 = x_q == first_x ? prim_q.x0[TILE_LOG2-1:0] : '0;
-  assign tile_o.y0 = y_q == prim_q.y0[PIXEL_BITS-1:TILE_LOG2] ? prim_q.y0[TILE_LOG2-1:0] : '0;
-  assign tile_o.x1 = row_end ? prim_q.x1[TILE_LOG2-1:0] : '1;
-  assign tile_o.y1 = y_q == last_y ? prim_q.y1[TILE_LOG2-1:0] : '1;
-  assign tile_o.a = prim_q.a;
-  assign tile_o.b = prim_q.b;
-  assign tile_o.accepted = accepts;
-  for (genvar i = 0; i < 3; i++) begin : gen_tile_edges
-    assign tile_o.e[i*TILE_EDGE_BITS +: TILE_EDGE_BITS] = prim_q.e[i*EDGE_BITS +: TILE_EDGE_BITS];
-  end
+  // ---- The tile. Its payload is nobody's business while it is not valid, so nothing is spent on it
+  // then: 'x costs no gate and saves the simulator the work.
+  function automatic logic [TILE_Z_BITS-1:0] narrow_z(input logic [Z_BITS-1:0] value);
+    narrow_z = value[Z_BITS-1:NARROWING];
+    if (NARROWING > 0) narrow_z = narrow_z + TILE_Z_BITS'(value[LAST_CUT]);
+  endfunction
+  function automatic logic [TILE_ATTR_BITS-1:0] narrow_attr(input logic [ATTR_BITS-1:0] value);
+    narrow_attr = value[ATTR_BITS-1:NARROWING];
+    if (NARROWING > 0) narrow_attr = narrow_attr + TILE_ATTR_BITS'(value[LAST_CUT]);
+  endfunction
 
-  // Planes inside a tile carry fewer fraction bits: rounded, halves up.
-  if (NARROWING == 0) begin : gen_same
-    assign tile_o.z_dx = prim_q.z_dx;
-    assign tile_o.z_dy = prim_q.z_dy;
-    assign tile_o.z_ref = prim_q.z_ref;
-    assign tile_o.attr_dx = prim_q.attr_dx;
-    assign tile_o.attr_dy = prim_q.attr_dy;
-    assign tile_o.attr_ref = prim_q.attr_ref;
-  end else begin : gen_narrow
-    // Rounding adds the bit below the cut.
-    assign tile_o.z_dx = prim_q.z_dx[Z_BITS-1:NARROWING] + TILE_Z_BITS'(prim_q.z_dx[NARROWING-1]);
-    assign tile_o.z_dy = prim_q.z_dy[Z_BITS-1:NARROWING] + TILE_Z_BITS'(prim_q.z_dy[NARROWING-1]);
-    assign tile_o.z_ref =
-        prim_q.z_ref[Z_BITS-1:NARROWING] + TILE_Z_BITS'(prim_q.z_ref[NARROWING-1]);
-    for (genvar i = 0; i < ATTRIBUTES; i++) begin : gen_attrs
-      logic [ATTR_BITS-1:0] dx, dy, at;
-      assign dx = prim_q.attr_dx[i*ATTR_BITS +: ATTR_BITS];
-      assign dy = prim_q.attr_dy[i*ATTR_BITS +: ATTR_BITS];
-      assign at = prim_q.attr_ref[i*ATTR_BITS +: ATTR_BITS];
-      assign tile_o.attr_dx[i*TILE_ATTR_BITS +: TILE_ATTR_BITS] =
-          dx[ATTR_BITS-1:NARROWING] + TILE_ATTR_BITS'(dx[NARROWING-1]);
-      assign tile_o.attr_dy[i*TILE_ATTR_BITS +: TILE_ATTR_BITS] =
-          dy[ATTR_BITS-1:NARROWING] + TILE_ATTR_BITS'(dy[NARROWING-1]);
-      assign tile_o.attr_ref[i*TILE_ATTR_BITS +: TILE_ATTR_BITS] =
-          at[ATTR_BITS-1:NARROWING] + TILE_ATTR_BITS'(at[NARROWING-1]);
+  always_comb begin
+    tile_o = 'x;
+    if (tile_valid_o) begin
+      tile_o.id = prim_q.id;
+      tile_o.x = x_q;
+      tile_o.y = y_q;
+      tile_o.x0 = x_q == first_x ? prim_q.x0[TILE_LOG2-1:0] : '0;
+      tile_o.y0 = y_q == prim_q.y0[PIXEL_BITS-1:TILE_LOG2] ? prim_q.y0[TILE_LOG2-1:0] : '0;
+      tile_o.x1 = row_end ? prim_q.x1[TILE_LOG2-1:0] : '1;
+      tile_o.y1 = y_q == last_y ? prim_q.y1[TILE_LOG2-1:0] : '1;
+      tile_o.a = prim_q.a;
+      tile_o.b = prim_q.b;
+      tile_o.accepted = accepts;
+      for (int unsigned i = 0; i < 3; i++) begin
+        tile_o.e[i*TILE_EDGE_BITS +: TILE_EDGE_BITS] =
+            prim_q.e[i*EDGE_BITS +: TILE_EDGE_BITS];
+      end
+      tile_o.z_dx = narrow_z(prim_q.z_dx);
+      tile_o.z_dy = narrow_z(prim_q.z_dy);
+      tile_o.z_ref = narrow_z(prim_q.z_ref);
+      for (int unsigned i = 0; i < ATTRIBUTES; i++) begin
+        tile_o.attr_dx[i*TILE_ATTR_BITS +: TILE_ATTR_BITS] =
+            narrow_attr(prim_q.attr_dx[i*ATTR_BITS +: ATTR_BITS]);
+        tile_o.attr_dy[i*TILE_ATTR_BITS +: TILE_ATTR_BITS] =
+            narrow_attr(prim_q.attr_dy[i*ATTR_BITS +: ATTR_BITS]);
+        tile_o.attr_ref[i*TILE_ATTR_BITS +: TILE_ATTR_BITS] =
+            narrow_attr(prim_q.attr_ref[i*ATTR_BITS +: ATTR_BITS]);
+      end
     end
   end
 

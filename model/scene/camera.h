@@ -27,7 +27,7 @@ struct View {
 };
 
 /// A view from the front, a little from the right and above, as close as the frame allows: the mesh
-/// spans .92 of it in one direction and is centred in both.
+/// spans .92 of it in one direction, centred there, and less in the other.
 View framing_view(const Mesh& mesh, int width, int height);
 
 /// The view of a given camera. Near and far enclose the part of the mesh in front of it; far is

@@ -183,8 +183,8 @@ Mesh read_obj(const std::string& file, std::vector<std::string>* warnings) {
   const Scan scan = Scanner(file).scan();
   const auto corner = corners(file);
   if (corner.size() != 3 * scan.triangles) {
-    warnings->push_back(fmt::format("{}: {} triangles of polygons that cross themselves left out",
-                                    file, scan.triangles - corner.size() / 3));
+    warnings->push_back(fmt::format("{}: left out {} triangles that its polygons should give", file,
+                                    scan.triangles - corner.size() / 3));
   }
   if (!scan.color.empty() && scan.color.size() != scan.position.size()) {
     warnings->push_back(fmt::format("{}: colours not used: only {} of {} vertices have one", file,

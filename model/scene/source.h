@@ -22,7 +22,7 @@ struct Counters {
 
 /// A pull stream of triangles.
 ///
-/// Out      next(): vertices snapped and inside the guard band; tri = number of the triangle in the
+/// Out      next(): vertices snapped and inside the guard band; id = number of the triangle in the
 ///          scene as read, from 0. Dropped ones keep their number; the pieces of a clipped mesh
 ///          triangle share theirs.
 /// Errors   InputError where the input is found to be wrong.

@@ -12,10 +12,28 @@ namespace pineda::spec {
 using Packed = std::vector<uint32_t>;
 
 /// Reads `bits` (1 to 64) bits from bit `position` on, zero-extended.
-uint64_t get_bits(const uint32_t* words, int position, int bits);
+inline uint64_t get_bits(const uint32_t* words, int position, int bits) {
+  const uint32_t* word = words + position / 32;
+  const int shift = position % 32;
+  uint64_t value = word[0] >> shift;
+  if (shift + bits > 32) value |= uint64_t{word[1]} << (32 - shift);
+  if (shift + bits > 64) value |= uint64_t{word[2]} << (64 - shift);
+  return bits == 64 ? value : value & ((uint64_t{1} << bits) - 1);
+}
 
 /// Writes the low `bits` bits of `value`; leaves all other bits as they are.
-void set_bits(uint32_t* words, int position, int bits, uint64_t value);
+inline void set_bits(uint32_t* words, int position, int bits, uint64_t value) {
+  uint32_t* word = words + position / 32;
+  const int shift = position % 32;
+  const uint64_t mask = bits == 64 ? ~uint64_t{0} : (uint64_t{1} << bits) - 1;
+  value &= mask;
+  const auto put = [](uint32_t* to, uint64_t part_mask, uint64_t part) {
+    *to = (*to & ~static_cast<uint32_t>(part_mask)) | static_cast<uint32_t>(part);
+  };
+  put(word, mask << shift, value << shift);
+  if (shift + bits > 32) put(word + 1, mask >> (32 - shift), value >> (32 - shift));
+  if (shift + bits > 64) put(word + 2, mask >> (64 - shift), value >> (64 - shift));
+}
 
 /// Packs and unpacks T by its table. The table is looked up once, when the packer is made.
 template <class T>

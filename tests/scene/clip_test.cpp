@@ -1,0 +1,159 @@
+#include "model/scene/clip.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "model/exact/exact.h"
+#include "model/scene/mesh_reader.h"
+#include "model/scene/snap.h"
+#include "tests/scene/scratch.h"
+
+namespace pineda::scene {
+namespace {
+
+class Vertices {
+ public:
+  // A vertex in front of or behind the near plane, and far beyond the guard band or not.
+  ClipVertex next(double spread, bool in_front) {
+    std::uniform_real_distribution<double> any(-spread, spread), depth(.01, 9), color(0, 255);
+    ClipVertex v;
+    const double z = in_front ? depth(random_) : -depth(random_);
+    v.position = {any(random_), any(random_), z, z + 1};  // near plane at w = 1
+    for (double& channel : v.rgba) channel = color(random_);
+    return v;
+  }
+
+ private:
+  std::mt19937 random_{1};
+};
+
+bool same(const ClipVertex& a, const ClipVertex& b) {
+  return a.position == b.position && a.rgba == b.rgba;
+}
+
+bool holds(const Polygon& polygon, const ClipVertex& vertex) {
+  return std::any_of(polygon.v.begin(), polygon.v.begin() + static_cast<int>(polygon.size),
+                     [&](const ClipVertex& v) { return same(v, vertex); });
+}
+
+TEST(Clip, SharedEdgeAcrossTheNearPlaneGetsOneVertexWhicheverWayItIsWalked) {
+  Vertices vertices;
+  const ClipVolume volume(640, 480, 14);
+  for (int i = 0; i < 10000; ++i) {
+    const auto in = vertices.next(3, true), out = vertices.next(3, false);
+    const auto left = volume.clip({in, out, vertices.next(3, false)});
+    const auto right = volume.clip({out, in, vertices.next(3, true)});
+    // Of the left triangle three vertices are left: `in` and the two cuts.
+    ASSERT_EQ(left.size, 3u);
+    ASSERT_TRUE(same(left.v[0], in));
+    ASSERT_TRUE(holds(right, left.v[1])) << i;
+    ASSERT_NEAR(left.v[1].position[2], 0, 1e-14);
+  }
+}
+
+// The mutant: cutting in the direction of the walk gives other bits for many an edge.
+TEST(Clip, CuttingInTheDirectionOfTheWalkWouldSplitSharedVertices) {
+  Vertices vertices;
+  int split = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const auto a = vertices.next(3, true).position, b = vertices.next(3, false).position;
+    const double forward = a[0] + a[2] / (a[2] - b[2]) * (b[0] - a[0]);
+    const double backward = b[0] + b[2] / (b[2] - a[2]) * (a[0] - b[0]);
+    split += forward != backward ? 1 : 0;
+  }
+  EXPECT_GT(split, 900);
+}
+
+TEST(Clip, WhatIsLeftLiesInsideAllPlanesAndKeepsItsColoursInRange) {
+  Vertices vertices;
+  const ClipVolume volume(641, 479, 14);
+  int whole = 0, cut = 0, gone = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const std::array<ClipVertex, 3> t = {vertices.next(300, true), vertices.next(300, i % 2 == 0),
+                                         vertices.next(300, i % 3 == 0)};
+    const auto polygon = volume.clip(t);
+    const unsigned outside = volume.outside(t[0]) | volume.outside(t[1]) | volume.outside(t[2]);
+    gone += polygon.size == 0 ? 1 : 0;
+    whole += outside == 0 ? 1 : 0;
+    cut += outside != 0 && polygon.size != 0 ? 1 : 0;
+    EXPECT_TRUE(outside != 0 || polygon.size == 3);
+    for (size_t k = 0; k < polygon.size; ++k) {
+      const auto& p = polygon.v[k].position;
+      EXPECT_GE(p[3], 1 - 1e-12);
+      EXPECT_LE(std::abs(p[0] / p[3] + 1) * 320.5, 16383.5);
+      EXPECT_LE(std::abs(1 - p[1] / p[3]) * 239.5, 16383.5);
+      for (const double channel : polygon.v[k].rgba) {
+        EXPECT_GE(channel, -.4);
+        EXPECT_LE(channel, 255.4);
+      }
+    }
+  }
+  EXPECT_GT(whole, 1000);
+  EXPECT_GT(cut, 1000);
+  EXPECT_GT(gone, 10);
+}
+
+// A plain, ten by ten squares, that reaches behind the eye and far beyond the guard band.
+Mesh plain(double extent) {
+  constexpr uint32_t kSide = 11;
+  Mesh mesh;
+  for (uint32_t i = 0; i < kSide; ++i) {
+    for (uint32_t j = 0; j < kSide; ++j) {
+      // A shear keeps the edges from running along the view.
+      const double x = extent * (j / 5.0 - 1), z = extent * (i / 5.0 - 1);
+      mesh.position.push_back({x + .3 * z, 0, z - .2 * x});
+      mesh.normal.push_back({0, 1, 0});
+      if (i == 0 || j == 0) continue;
+      const uint32_t k = i * kSide + j;
+      mesh.triangle.push_back({k, k - 1, k - kSide});
+      mesh.triangle.push_back({k - kSide - 1, k - kSide, k - 1});
+    }
+  }
+  return mesh;
+}
+
+TEST(Clip, EverySampleOfAClippedPlainIsHitExactlyOnce) {
+  constexpr int kWidth = 160, kHeight = 121;
+  const Mesh mesh = plain(40);
+  const Camera camera{{.1, .05, .2}, {.15, 0, .15}, {0, 1, 0}, 60};
+  const View view = camera_view(camera, mesh, kWidth, kHeight);
+  SnappedSource source(kContract, std::make_unique<MeshReader>(mesh, view, kWidth, kHeight, 14));
+  std::vector<int> hits(kWidth * kHeight);
+  for (spec::Triangle t; source.next(&t);) {
+    exact::Triangle judged;
+    for (size_t i = 0; i < 3; ++i) judged[i] = {t.v[i].x, t.v[i].y, t.v[i].z, {}};
+    const exact::Judge judge(judged, 8, kWidth, kHeight, exact::Cull::kNone);
+    for (int y = 0; y < kHeight; ++y) {
+      const auto span = judge.span(y);
+      for (int x = span.first; x <= span.last; ++x) ++hits[static_cast<size_t>(y * kWidth + x)];
+    }
+  }
+  EXPECT_EQ(std::count(hits.begin(), hits.end(), 1), kWidth * kHeight);
+  const Counters& c = source.counters();
+  EXPECT_EQ(c.triangles, 200u);
+  EXPECT_GT(c.clipped, 2u);
+  EXPECT_GT(c.clipped_away, 20u);
+  EXPECT_EQ(c.saturated, 0u);
+}
+
+TEST(Clip, PiecesShareTheNumberOfTheirTriangle) {
+  const Mesh mesh = plain(40);
+  const Camera camera{{.1, .05, .2}, {.15, 0, .15}, {0, 1, 0}, 60};
+  const View view = camera_view(camera, mesh, 64, 64);
+  SnappedSource source(kContract, std::make_unique<MeshReader>(mesh, view, 64, 64, 14));
+  const auto first = all_triangles(&source);
+  std::vector<int> pieces(200);
+  for (const auto& t : first) ++pieces.at(t.id);
+  const auto drawn = std::count_if(pieces.begin(), pieces.end(), [](int n) { return n > 0; });
+  EXPECT_EQ(static_cast<uint64_t>(drawn) + source.counters().clipped_away, 200u);
+  EXPECT_GT(*std::max_element(pieces.begin(), pieces.end()), 1);
+  EXPECT_TRUE(std::is_sorted(first.begin(), first.end(),
+                             [](const auto& a, const auto& b) { return a.id < b.id; }));
+  source.rewind();
+  EXPECT_TRUE(scene::same(first, all_triangles(&source)));
+}
+
+}  // namespace
+}  // namespace pineda::scene
