@@ -81,6 +81,7 @@ Side conclude(const char* name, tb::Scoreboard* scoreboard, const core::FrameBuf
 Side check_model(const scene::Scene& scene, const spec::Contract& contract,
                  const tb::BenchOptions& options, const core::FrameBuffer& reference,
                  Progress* progress) {
+  scene.source->rewind();
   ChunkedTriangles triangles(scene.source.get(), progress, "SystemC");
   Tee tee(&triangles);
   tb::Scoreboard scoreboard("SystemC", contract, scene.frame,
@@ -101,6 +102,7 @@ Side check_model(const scene::Scene& scene, const spec::Contract& contract,
 Side check_rtl(const scene::Scene& scene, const spec::Contract& contract,
                const tb::BenchOptions& options, const core::FrameBuffer& reference,
                Progress* progress) {
+  scene.source->rewind();
   ChunkedTriangles triangles(scene.source.get(), progress, "RTL");
   Tee tee(&triangles);
   tb::Scoreboard scoreboard("RTL", contract, scene.frame,

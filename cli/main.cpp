@@ -1,5 +1,6 @@
 // pineda: a bit-exact, cycle-approximate hardware rasterizer. One program, a command a task.
 #include <cstdlib>
+#include <new>
 #include <systemc>
 
 #include "cli/options.h"
@@ -7,6 +8,13 @@
 #include "tb/rtl.h"
 
 namespace {
+
+bool is_command(const CLI::App& program, const std::string& name) {
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == name) return true;
+  }
+  return false;
+}
 
 int run(int argc, char** argv) {
   using namespace pineda;
@@ -26,7 +34,12 @@ int run(int argc, char** argv) {
   cli::add_walk(&program, &exit_code);
   cli::add_designs(&program, &exit_code);
   try {
+    if (argc > 1 && argv[1][0] != '-' && !is_command(program, argv[1])) {
+      throw cli::UsageError(
+          fmt::format("expected a command, got '{}' (see pineda --help)", argv[1]));
+    }
     program.parse(argc, argv);
+    cli::flush_stdout();
   } catch (const CLI::Success& help) {
     return program.exit(help);
   } catch (const CLI::ParseError& error) {
@@ -41,6 +54,12 @@ int run(int argc, char** argv) {
   } catch (const tb::RtlError& error) {
     fmt::print(stderr, "pineda: RTL: {}\n", error.what());
     return cli::kMismatch;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "pineda: not enough memory for this scene\n");
+    return cli::kBadInput;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "pineda: {}\n", error.what());
+    return cli::kBadInput;
   }
   return exit_code;
 }

@@ -40,6 +40,9 @@ void add_scene_options(CLI::App* command, Options* o) {
   command->add_option("--design", o->design, "Design point, see `pineda designs`")
       ->type_name("NAME")
       ->capture_default_str();
+  command->add_option("--seed", o->seed, "Seed of what is random: the stalls of --stall")
+      ->type_name("N")
+      ->capture_default_str();
   const std::string meshes = "Meshes";
   command->add_option("--size", o->size, "Frame size in px, 640x480 unless given")
       ->type_name("WxH")
@@ -83,9 +86,6 @@ void add_time_options(CLI::App* command, Options* o) {
   command->add_option("--stall", o->stall, "Who stalls at the ports: none, source, sink or both")
       ->check(CLI::IsMember({"none", "source", "sink", "both"}))
       ->type_name("MODE")
-      ->capture_default_str();
-  command->add_option("--seed", o->seed, "Seed of the stalls")
-      ->type_name("N")
       ->capture_default_str();
 }
 

@@ -48,7 +48,7 @@ struct Options {
 void add_output_options(CLI::App* command, Options* options);
 /// Adds the scene and all options about it.
 void add_scene_options(CLI::App* command, Options* options);
-/// Adds --latency, --stall and --seed.
+/// Adds --latency and --stall.
 void add_time_options(CLI::App* command, Options* options);
 
 /// The design by name. Throws UsageError that lists the designs there are.

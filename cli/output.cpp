@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 
 #include "model/scene/writers.h"
 
@@ -35,9 +37,16 @@ void Output::json(const Json& value) const {
   const std::string text = value.dump(2) + "\n";
   if (json_ == "-") {
     fmt::print(stdout, "{}", text);
+    flush_stdout();
   } else {
     scene::write_file(json_, text);
   }
+}
+
+void flush_stdout() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  throw scene::InputError("standard output",
+                          fmt::format("expected to write it, got: {}", std::strerror(errno)));
 }
 
 Progress::Progress(const Options& options)

@@ -38,6 +38,9 @@ class Output {
   std::FILE* file_;
 };
 
+/// Throws scene::InputError when something printed did not get through.
+void flush_stdout();
+
 /// One line on standard error, rewritten as work goes on; only on a terminal, never with --quiet.
 class Progress {
  public:

@@ -45,29 +45,28 @@ int run(const RtlOptions& options) {
   const Output output(options);
   Progress progress(options);
   const auto bench_opts = bench_options(options, contract);
-  const scene::Scene scene = open(options, contract, false);
+  const scene::Scene scene = open(options, contract, options.bench > 0 && !options.dump.empty());
   const tb::RtlLibrary library(contract);
   auto bench = std::make_unique<tb::FrameBench>(library, bench_opts);
   TraceFile trace(options.trace, bench.get());
 
   tb::FrameResult result;
+  const auto run_frame = [&](tb::Listener* listener) {
+    return [&, listener](const tb::NextTriangle& next) {
+      result = bench->run(scene.frame, next, listener);
+    };
+  };
+  // Hits are known only to who looks at the stamps: a dump wants a run with a listener, which is
+  // slower and so not the one that is timed by --bench.
+  tb::Listener looks;
+  tb::Listener* const listener = options.dump.empty() ? nullptr : &looks;
   double seconds = 0;
   if (options.bench > 0) {
-    const auto triangles = load_all(scene.source.get(), &progress);
-    std::vector<double> times;
-    for (int i = 0; i < options.bench; ++i) {
-      times.push_back(
-          seconds_of([&] { result = bench->run(scene.frame, pull_from(triangles), nullptr); }));
-    }
-    seconds = median(times);
+    seconds = frame_seconds(scene, options.bench, &progress, "RTL", run_frame(nullptr));
   }
-  // Hits are known only to who looks at the stamps, so a dump costs a run with a listener.
-  if (options.bench == 0 || !options.dump.empty()) {
-    tb::Listener listener;
-    ChunkedTriangles triangles(scene.source.get(), &progress, "RTL");
-    const auto pull = [&](spec::Triangle* triangle) { return triangles.next(triangle); };
-    double once = seconds_of([&] { result = bench->run(scene.frame, pull, &listener); });
-    once -= triangles.load_seconds();
+  if (options.bench == 0 || listener != nullptr) {
+    if (options.bench > 0) scene.source->rewind();
+    const double once = frame_seconds(scene, 0, &progress, "RTL", run_frame(listener));
     if (options.bench == 0) seconds = once;
   }
   progress.clear();

@@ -34,21 +34,9 @@ int run(const TimeOptions& options) {
   const auto top = make_model(contract, bench);
 
   timing::FrameResult result;
-  double seconds = 0;
-  if (options.bench > 0) {
-    const auto triangles = load_all(scene.source.get(), &progress);
-    std::vector<double> times;
-    for (int i = 0; i < options.bench; ++i) {
-      times.push_back(
-          seconds_of([&] { result = top->run(scene.frame, pull_from(triangles), nullptr); }));
-    }
-    seconds = median(times);
-  } else {
-    ChunkedTriangles triangles(scene.source.get(), &progress, "timing");
-    const auto pull = [&](spec::Triangle* triangle) { return triangles.next(triangle); };
-    seconds = seconds_of([&] { result = top->run(scene.frame, pull, nullptr); });
-    seconds -= triangles.load_seconds();
-  }
+  const double seconds =
+      frame_seconds(scene, options.bench, &progress, "timing",
+                    [&](timing::Pull pull) { result = top->run(scene.frame, std::move(pull)); });
   progress.clear();
   print_notes(output, scene);
 

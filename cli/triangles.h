@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/output.h"
-#include "model/scene/source.h"
+#include "model/scene/scene.h"
 
 namespace pineda::cli {
 
@@ -14,10 +14,9 @@ class ChunkedTriangles {
  public:
   static constexpr size_t kChunk = 4096;
 
+  /// Goes on where the source stands: who reads a scene again rewinds it.
   ChunkedTriangles(scene::TriangleSource* source, Progress* progress, const char* phase)
-      : source_(source), progress_(progress), phase_(phase) {
-    source_->rewind();
-  }
+      : source_(source), progress_(progress), phase_(phase) {}
 
   /// The next chunk; empty at the end of the scene.
   const std::vector<spec::Triangle>& next_chunk() {
@@ -68,6 +67,25 @@ inline auto pull_from(const std::vector<spec::Triangle>& triangles) {
     *triangle = triangles[i++];
     return true;
   };
+}
+
+/// Seconds of a frame, reading left out: the median of `runs` in memory, or one run straight from
+/// the scene when `runs` is 0. run(pull) draws a frame.
+template <class Run>
+double frame_seconds(const scene::Scene& scene, int runs, Progress* progress, const char* phase,
+                     Run run) {
+  if (runs == 0) {
+    ChunkedTriangles triangles(scene.source.get(), progress, phase);
+    const double seconds =
+        seconds_of([&] { run([&](spec::Triangle* t) { return triangles.next(t); }); });
+    return seconds - triangles.load_seconds();
+  }
+  const auto triangles = load_all(scene.source.get(), progress);
+  std::vector<double> seconds;
+  for (int i = 0; i < runs; ++i) {
+    seconds.push_back(seconds_of([&] { run(pull_from(triangles)); }));
+  }
+  return median(seconds);
 }
 
 }  // namespace pineda::cli

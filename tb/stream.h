@@ -20,7 +20,9 @@ template <class T>
 class PayloadPort {
  public:
   PayloadPort(const RtlUnit& unit, const std::string& name)
-      : port_(unit.port(name)), packer_(unit.contract()), words_(size_t(packer_.words()) + 1) {
+      : port_(unit.port(name)),
+        packer_(unit.contract()),
+        words_(static_cast<size_t>(packer_.words()) + 1) {
     if (port_.bytes * 8 < static_cast<uint32_t>(packer_.bits())) {
       throw RtlError(fmt::format("{}: port '{}' is too narrow", unit.name(), name));
     }

@@ -30,7 +30,8 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 std::unique_ptr<std::istream> open_file(const std::string& path) {
-  if (std::filesystem::is_directory(path)) {
+  std::error_code unreadable;  // found again, with its cause, when the file is opened
+  if (std::filesystem::is_directory(path, unreadable)) {
     throw InputError(path, "expected a file, got a directory");
   }
   errno = 0;

@@ -73,7 +73,11 @@ Scene open_ptrb(const spec::Contract& contract, const std::string& path, const O
     stream = {options.input != nullptr ? options.input : &std::cin, [](std::istream*) {}};
   } else {
     stream = open_file(path);
-    if (std::filesystem::is_regular_file(path)) bytes = std::filesystem::file_size(path);
+    std::error_code none;
+    if (std::filesystem::is_regular_file(path, none)) {
+      const auto size = std::filesystem::file_size(path, none);
+      if (!none) bytes = size;
+    }
   }
   if (!bytes && options.multi_pass) {
     uint64_t spooled = 0;

@@ -21,13 +21,17 @@ namespace fs = std::filesystem;
 constexpr uint32_t kNearestGrey = 255;
 constexpr uint32_t kFarthestGrey = 40;  // still tells the form from the black around it
 
+[[noreturn]] void fail_to_write(const std::string& path) {
+  throw InputError(path, fmt::format("expected to write it, got: {}", std::strerror(errno)));
+}
+
 // A file under its temporary name; removed again unless it reaches its place.
 class PendingFile {
  public:
   explicit PendingFile(const std::string& path)
       : path_(path), temporary_(fmt::format("{}.partial-{}", path, ::getpid())) {
     file_ = std::fopen(temporary_.c_str(), "wb");
-    if (file_ == nullptr) fail();
+    if (file_ == nullptr) fail_to_write(path_);
   }
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
@@ -37,27 +41,30 @@ class PendingFile {
   }
 
   void write(std::string_view bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail();
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail_to_write(path_);
   }
 
   void commit() {
     FILE* file = file_;
     file_ = nullptr;
-    if (std::fclose(file) != 0) fail();
-    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail();
+    if (std::fclose(file) != 0) fail_to_write(path_);
+    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail_to_write(path_);
     done_ = true;
   }
 
  private:
-  [[noreturn]] void fail() const {
-    throw InputError(path_, fmt::format("expected to write it, got: {}", std::strerror(errno)));
-  }
-
   std::string path_;
   std::string temporary_;
   FILE* file_ = nullptr;
   bool done_ = false;
 };
+
+void write_through(const std::string& path, std::string_view bytes) {
+  FILE* file = std::fopen(path.c_str(), "wb");
+  if (file == nullptr) fail_to_write(path);
+  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  if (std::fclose(file) != 0 || !written) fail_to_write(path);
+}
 
 void write_png(const std::string& path, const Frame& frame, png_uint_32 format,
                const std::vector<uint8_t>& pixels) {
@@ -125,7 +132,15 @@ void write_file(const std::string& path, std::string_view bytes) {
   if (error) {
     throw InputError(folder.string(), "expected to make the folder, got: " + error.message());
   }
-  PendingFile file(path);
+  // A link keeps its place and the file behind it is replaced; a device or a pipe cannot be renamed
+  // over, so it is written to as it is.
+  const fs::file_status status = fs::status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    write_through(path, bytes);
+    return;
+  }
+  const fs::path place = fs::canonical(path, error);
+  PendingFile file(error ? path : place.string());
   file.write(bytes);
   file.commit();
 }
@@ -157,7 +172,9 @@ void write_dump(const std::string& folder, const Frame& frame) {
   const fs::path at(folder);
   const std::string hits = (at / "hits.u16").string();
   if (frame.hits.empty()) {
-    fs::remove(hits);
+    std::error_code error;
+    fs::remove(hits, error);
+    if (error) throw InputError(hits, "expected to remove it, got: " + error.message());
   } else {
     write_file(hits, view_of(little_endian(frame.hits)));
   }

@@ -212,7 +212,7 @@ TEST(AccuracyMutant, CoarseGradientsBreakTheBound) {
     randomize_values(random, &t);
     spec::SetupPrim prim;
     if (core::setup(kContract, kWindow, t, &prim) != core::Drop::kNone) continue;
-    prim.planes.z.dx = prim.planes.z.dx >> 12 << 12;  // 6 fraction bits, truncated
+    prim.planes.z.dx &= ~int64_t{0xFFF};  // 6 fraction bits, truncated
     const exact::Judge exact = judge(kWindow, t);
     for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
       spec::Fragment fragment;

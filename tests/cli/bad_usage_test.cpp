@@ -1,0 +1,71 @@
+// Bad usage: exit 2, and one line on standard error that says what was expected.
+#include <gtest/gtest.h>
+
+#include "tests/cli/frames.h"
+#include "tests/cli/program.h"
+
+namespace pineda::test {
+namespace {
+
+struct BadUsage {
+  std::string name;
+  Arguments arguments;
+  std::string says;  // part of the line
+};
+std::ostream& operator<<(std::ostream& to, const BadUsage& bad) { return to << bad.name; }
+
+class BadUsageTest : public testing::TestWithParam<BadUsage> {};
+
+TEST_P(BadUsageTest, IsRefusedInOneLine) {
+  const Scratch scratch;
+  scratch.write("scene.tri", tri_text(frame("TileBorders")));
+  scratch.write("scene.ptrb", ptrb_bytes(frame("TileBorders")));
+  const Run run = pineda(GetParam().arguments, inside(scratch.path(".")));
+  EXPECT_TRUE(is_refused(run, GetParam().says));
+  EXPECT_EQ(run.out, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cli, BadUsageTest,
+    testing::Values(
+        BadUsage{"NoCommand", {}, "subcommand"}, BadUsage{"UnknownCommand", {"draw"}, "pineda: "},
+        BadUsage{"NoScene", {"check"}, "scene"},
+        BadUsage{"UnknownOption", {"render", "triangle", "--fast"}, "--fast"},
+        BadUsage{"TwoScenes", {"render", "triangle", "grid"}, "grid"},
+        BadUsage{"UnknownScene", {"render", "teapots"}, "teapots"},
+        BadUsage{"UnknownEnding", {"render", "scene.stl"}, "scene.stl"},
+        BadUsage{"UnknownDesign", {"check", "triangle", "--design", "nope"}, "'nope'"},
+        BadUsage{"MissingDesignFile", {"check", "triangle", "--design", "no.toml"}, "no.toml"},
+        BadUsage{"SizeOfOneNumber", {"render", "teapot", "--size", "64"}, "WxH"},
+        BadUsage{"SizeOfThree", {"render", "teapot", "--size", "64x48x2"}, "WxH"},
+        BadUsage{"SizeWithBlank", {"render", "teapot", "--size", "64x 48"}, "WxH"},
+        BadUsage{"SizeBeyondInt", {"render", "teapot", "--size", "99999999999x8"}, "WxH"},
+        BadUsage{"SizeZero", {"render", "teapot", "--size", "0x48"}, "0x48"},
+        BadUsage{"SizeNegative", {"render", "teapot", "--size", "64x-1"}, "64x-1"},
+        BadUsage{"SizeTooWide", {"render", "teapot", "--size", "16385x1"}, "16385x1"},
+        BadUsage{"SizeTooHigh", {"time", "teapot", "--size", "1x16385"}, "1x16385"},
+        BadUsage{"SizeWithTri", {"render", "scene.tri", "--size", "64x48"}, "scene.tri"},
+        BadUsage{"SizeWithPtrb", {"rtl", "scene.ptrb", "--size", "64x48"}, "scene.ptrb"},
+        BadUsage{"CullWithTri", {"time", "scene.tri", "--cull", "back"}, "scene.tri"},
+        BadUsage{"DepthWithPtrb", {"check", "scene.ptrb", "--depth", "off"}, "scene.ptrb"},
+        BadUsage{"CameraWithTri", {"render", "scene.tri", "--eye", "1,2,3"}, "scene.tri"},
+        BadUsage{"TessellateWithGrid", {"render", "grid", "--tessellate", "4"}, "grid"},
+        BadUsage{"TessellateZero", {"render", "teapot", "--tessellate", "0"}, "1 to"},
+        BadUsage{"EyeOfTwo", {"render", "teapot", "--eye", "1,2"}, "--eye"},
+        BadUsage{"UnknownCull", {"render", "teapot", "--cull", "both"}, "--cull"},
+        BadUsage{"UnknownDepth", {"render", "teapot", "--depth", "more"}, "--depth"},
+        BadUsage{"LatencyZero", {"check", "triangle", "--latency", "0"}, "1 to 64"},
+        BadUsage{"LatencyTooLong", {"time", "triangle", "--latency", "65"}, "1 to 64"},
+        BadUsage{"LatencyNoNumber", {"rtl", "triangle", "--latency", "x"}, "--latency"},
+        BadUsage{"UnknownStall", {"rtl", "triangle", "--stall", "often"}, "--stall"},
+        BadUsage{"SeedNoNumber", {"rtl", "triangle", "--seed", "x"}, "--seed"},
+        BadUsage{"BenchZero", {"render", "triangle", "--bench", "0"}, "--bench"},
+        BadUsage{"BenchNoNumber", {"time", "triangle", "--bench", "many"}, "--bench"},
+        BadUsage{"ThreadsZero", {"render", "triangle", "--threads", "0"}, "--threads"},
+        BadUsage{"JsonWithoutFile", {"render", "triangle", "--json"}, "--json"},
+        BadUsage{"WalkBeyondTheEnd", {"walk", "triangle", "--triangle", "1"}, "--triangle"},
+        BadUsage{"NameTooLong", {"render", std::string(5000, 'a') + ".tri"}, "aaa"}),
+    [](const auto& param) { return param.param.name; });
+
+}  // namespace
+}  // namespace pineda::test

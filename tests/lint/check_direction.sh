@@ -1,0 +1,55 @@
+#!/bin/sh
+# check_direction.sh ROOT: fails when an include points against the direction
+#   spec <- core <- timing <- tb <- cli;  scene -> spec;  exact uses nothing;  tests use everything.
+# Also: paths start at the root, only tb/plugin.cpp sees a Verilated header, and SystemC is known
+# from model/timing on.
+set -eu
+cd "$1"
+find . \( -name '.?*' -o -name 'build*' -o -name out -o -name mutants \) -prune \
+  -o \( -name '*.cpp' -o -name '*.h' \) -print | sed 's|^\./||' | sort | xargs awk '
+BEGIN {
+  may["model/spec"] = "model/spec"
+  may["model/core"] = "model/core model/spec"
+  may["model/exact"] = "model/exact"
+  may["model/scene"] = "model/scene model/spec"
+  may["model/baseline"] = "model/baseline model/spec"
+  may["model/timing"] = "model/timing model/core model/spec"
+  may["vectors"] = "vectors model/core model/exact model/spec"
+  may["tb"] = "tb model/timing model/core model/spec"
+  may["studies"] = "studies tb vectors model/timing model/scene model/baseline model/exact " \
+                   "model/core model/spec"
+  may["cli"] = "cli " may["studies"]
+  may["tests"] = "tests " may["cli"]
+}
+function folder(path, part) {
+  split(path, part, "/")
+  return part[1] == "model" ? part[1] "/" part[2] : part[1]
+}
+function refuse(why) {
+  printf "%s:%d: %s: %s\n", FILENAME, FNR, why, $0
+  bad = 1
+}
+/^[ \t]*#[ \t]*include[ \t]*[<"]/ {
+  ++includes
+  from = folder(FILENAME)
+  name = $0
+  sub(/^[^<"]*[<"]/, "", name)
+  sub(/[>"].*/, "", name)
+  to = folder(name)
+  if (!(from in may)) {
+    refuse("no rule for the folder " from)
+  } else if (name ~ /^(verilated|V[a-z])/) {
+    if (FILENAME != "tb/plugin.cpp") refuse("a Verilated header outside of tb/plugin.cpp")
+  } else if (name ~ /^systemc/) {
+    if (from !~ /^(model\/timing|tb|studies|cli|tests)$/) refuse("SystemC below model/timing")
+  } else if (to in may) {
+    if (index(" " may[from] " ", " " to " ") == 0) refuse(from " may not include " to)
+  } else if ($0 ~ /"/ && FILENAME != "tb/plugin.cpp") {
+    refuse("not a path from the root")  # the plug-in has headers generated beside it
+  }
+}
+END {
+  if (includes == 0) { print "no include found"; exit 1 }
+  printf "%d includes\n", includes
+  exit bad
+}'

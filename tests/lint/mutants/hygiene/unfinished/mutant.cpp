@@ -1,0 +1,2 @@
+// A mark of unfinished work.
+// TODO: the rest

@@ -1,0 +1,2 @@
+// The judge uses nothing of the project.
+#include "model/spec/fixed.h"

@@ -1,0 +1,2 @@
+// Paths start at the root.
+#include "setup.h"

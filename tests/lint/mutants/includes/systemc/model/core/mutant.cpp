@@ -1,0 +1,2 @@
+// The core knows no SystemC.
+#include <systemc>

@@ -1,0 +1,2 @@
+// The core knows no time.
+#include "model/timing/stream.h"

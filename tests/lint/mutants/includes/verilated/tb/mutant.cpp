@@ -1,0 +1,2 @@
+// Only tb/plugin.cpp sees the Verilated RTL.
+#include "verilated.h"

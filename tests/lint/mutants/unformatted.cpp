@@ -1,0 +1,2 @@
+// Formatted by nobody.
+int  f( ){return 1 ;}
