@@ -174,8 +174,13 @@ int run(const CheckOptions& options) {
   Progress progress(options);
   const auto bench = bench_options(options, contract);
   const scene::Scene scene = open(options, contract, true);
-  output.line("{}: {}x{}, {}, depth latency {} cycles, stalls {}", scene.name, scene.frame.width,
-              scene.frame.height, contract.design.name, bench.depth_latency_cycles, options.stall);
+  const Json header = header_json(scene, contract);
+  const std::string settings =
+      fmt::format("cull {}, depth {}, depth latency {} cycles, stalls {}, seed {}",
+                  header["cull"].get<std::string>(), header["depth_func"].get<std::string>(),
+                  bench.depth_latency_cycles, options.stall, options.seed);
+  output.line("{}: {}x{}, {}, {}", scene.name, scene.frame.width, scene.frame.height,
+              contract.design.name, settings);
 
   CheckResult result;
   result.bounds = spec::error_bounds(contract.design);
@@ -195,7 +200,7 @@ int run(const CheckOptions& options) {
   if (!options.out.empty()) {
     write_pictures(options.out, picture_of(contract, reference.buffer()));
     scene::write_file(options.out + "/check.json", json.dump(2) + "\n");
-    scene::write_file(options.out + "/report.html", report_html(result, scene, contract));
+    scene::write_file(options.out + "/report.html", report_html(result, scene, contract, settings));
   }
   print(output, result, options.out);
   output.json(json);

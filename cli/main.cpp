@@ -34,7 +34,8 @@ int run(int argc, char** argv) {
   cli::add_walk(&program, &exit_code);
   cli::add_designs(&program, &exit_code);
   try {
-    if (argc > 1 && argv[1][0] != '-' && !is_command(program, argv[1])) {
+    if (argc < 2) throw cli::UsageError("expected a command (see pineda --help)");
+    if (argv[1][0] != '-' && !is_command(program, argv[1])) {
       throw cli::UsageError(
           fmt::format("expected a command, got '{}' (see pineda --help)", argv[1]));
     }
@@ -50,6 +51,9 @@ int run(int argc, char** argv) {
     return cli::kBadInput;
   } catch (const scene::InputError& error) {
     fmt::print(stderr, "pineda: {}\n", error.what());
+    return cli::kBadInput;
+  } catch (const tb::PluginError& error) {
+    fmt::print(stderr, "pineda: RTL: {}\n", error.what());
     return cli::kBadInput;
   } catch (const tb::RtlError& error) {
     fmt::print(stderr, "pineda: RTL: {}\n", error.what());

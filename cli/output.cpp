@@ -90,7 +90,7 @@ Json header_json(const scene::Scene& scene, const spec::Contract& contract) {
           {"width", scene.frame.width},
           {"height", scene.frame.height},
           {"cull", name_of(scene.frame.cull)},
-          {"depth", name_of(scene.frame.depth)}};
+          {"depth_func", name_of(scene.frame.depth)}};
 }
 
 Json input_json(const scene::Counters& c) {

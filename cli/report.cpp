@@ -46,9 +46,11 @@ constexpr const char* kStyle =
     "p{margin:.2rem 0}.good{color:#12703a;font-weight:600}.bad{color:#b3261e;font-weight:600}"
     "table{border-collapse:collapse}th,td{padding:.2rem 1.4rem .2rem 0;text-align:left;"
     "border-bottom:1px solid #e3e6ea;font-variant-numeric:tabular-nums}th{font-weight:500}"
-    "td+td,.sides td{text-align:right}.sides thead th{color:#5a6573}.pictures{display:flex;"
+    ".sides td,.sides thead th+th{text-align:right}.sides thead "
+    "th{color:#5a6573}.pictures{display:flex;"
     "flex-wrap:wrap;gap:1rem}.pictures figure{margin:0;flex:1 1 20rem}img{width:100%;"
-    "background:#000;image-rendering:auto}figcaption{color:#5a6573}code{font-size:13px}";
+    "background:#000}.small "
+    "img{image-rendering:pixelated;max-width:24rem}figcaption{color:#5a6573}code{font-size:13px}";
 
 std::string dropped_text(const core::FrameCounters& c) {
   std::string text;
@@ -63,7 +65,7 @@ std::string dropped_text(const core::FrameCounters& c) {
 }  // namespace
 
 std::string report_html(const CheckResult& r, const scene::Scene& scene,
-                        const spec::Contract& contract) {
+                        const spec::Contract& contract, const std::string& settings) {
   std::string page = fmt::format(
       "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width\">\n<title>pineda check {0}</title>\n"
@@ -73,8 +75,9 @@ std::string report_html(const CheckResult& r, const scene::Scene& scene,
       escaped(contract.design.name), r.holds() ? "good" : "bad",
       r.holds() ? "It holds: three ways, bit-identical, and within the bounds."
                 : "It does not hold.");
+  page += fmt::format("<div class=\"pictures{}\">", scene.frame.width < 320 ? " small" : "");
   page +=
-      "<div class=\"pictures\"><figure><img src=\"color.png\" alt=\"colour\">"
+      "<figure><img src=\"color.png\" alt=\"colour\">"
       "<figcaption>colour</figcaption></figure><figure><img src=\"depth.png\" alt=\"depth\">"
       "<figcaption>depth, near is bright</figcaption></figure></div>\n";
   page +=
@@ -98,6 +101,7 @@ std::string report_html(const CheckResult& r, const scene::Scene& scene,
       "largest colour error",
       fmt::format("{:.4f} LSB, bound {:.4f}", r.judgement.max_color_lsb, r.bounds.attribute_lsb));
   page += "</table>\n<h2>Work</h2>\n<table>\n";
+  page += row("settings", settings);
   page += row("triangles read", grouped(r.input.triangles));
   page += row("triangles set up", grouped(r.counters.triangles));
   page += row("dropped", dropped_text(r.counters));

@@ -40,8 +40,8 @@ struct CheckResult {
   bool holds() const { return mismatches() == 0 && errors_hold(); }
 };
 
-/// A page with the pictures beside it and every figure in tables.
+/// A page with the pictures beside it and every figure in tables; `settings` say how it was run.
 std::string report_html(const CheckResult& result, const scene::Scene& scene,
-                        const spec::Contract& contract);
+                        const spec::Contract& contract, const std::string& settings);
 
 }  // namespace pineda::cli

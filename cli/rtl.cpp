@@ -21,6 +21,9 @@ class TraceFile {
  public:
   TraceFile(const std::string& path, tb::FrameBench* bench) : path_(path) {
     if (path_.empty()) return;
+    std::error_code error;  // found again when the file is opened
+    const auto folder = std::filesystem::path(path_).parent_path();
+    if (!folder.empty()) std::filesystem::create_directories(folder, error);
     if (!bench->trace(path_ + ".part")) {
       throw scene::InputError(path_, "cannot be written");
     }

@@ -97,15 +97,20 @@ module interp_ztest_unit (
   );
 
   // ---- Depth test
+  function automatic logic passes(input logic [Z_BITS-1:0] new_z, input logic [Z_BITS-1:0] old_z,
+                                  input logic [1:0] func);
+    passes = func == pineda_pkg::DEPTH_OFF || new_z < old_z ||
+             (func == pineda_pkg::DEPTH_LEQUAL && new_z == old_z);
+  endfunction
   logic [LANES-1:0] passed;
-  for (genvar lane = 0; lane < LANES; lane++) begin : gen_lanes
-    logic [Z_BITS-1:0] new_z, old_z;
-    logic pass;
-    assign new_z = head_z[lane*Z_BITS +: Z_BITS];
-    assign old_z = stored.z[lane*Z_BITS +: Z_BITS];
-    assign pass = !test || new_z < old_z ||
-                  (depth_func_i == pineda_pkg::DEPTH_LEQUAL && new_z == old_z);
-    assign passed[lane] = head.mask[lane] && pass;
+  always_comb begin
+    passed = 'x;
+    if (head_valid) begin
+      for (int unsigned i = 0; i < LANES; i++) begin
+        passed[i] = head.mask[i] && passes(head_z[i*Z_BITS +: Z_BITS],
+                                           stored.z[i*Z_BITS +: Z_BITS], depth_func_i);
+      end
+    end
   end
 
   // ---- Write: depth and colour leave side by side, each when its port takes it

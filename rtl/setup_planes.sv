@@ -70,17 +70,23 @@ module setup_planes (
     end
   end
 
-  // Stage 0: the values at the three vertices, in units of 2^-Z_FRACTION whatever they are.
+  // Stage 0: the values at the three vertices, in units of 2^-Z_FRACTION whatever they are. 'x while
+  // the stage is empty costs no gate and saves the simulator the work.
   logic [Z_BITS-1:0] value0, value1, value2;
   always_comb begin
-    value0 = z_i[0 +: Z_BITS];
-    value1 = z_i[Z_BITS +: Z_BITS];
-    value2 = z_i[2*Z_BITS +: Z_BITS];
-    for (int unsigned i = 0; i < ATTRIBUTES; i++) begin
-      if (index_q == INDEX_BITS'(i + 1)) begin
-        value0 = Z_BITS'(attr_i[i*ATTR_BITS +: ATTR_BITS]) << Z_FRACTION;
-        value1 = Z_BITS'(attr_i[(ATTRIBUTES+i)*ATTR_BITS +: ATTR_BITS]) << Z_FRACTION;
-        value2 = Z_BITS'(attr_i[(2*ATTRIBUTES+i)*ATTR_BITS +: ATTR_BITS]) << Z_FRACTION;
+    value0 = 'x;
+    value1 = 'x;
+    value2 = 'x;
+    if (stage0) begin
+      value0 = z_i[0 +: Z_BITS];
+      value1 = z_i[Z_BITS +: Z_BITS];
+      value2 = z_i[2*Z_BITS +: Z_BITS];
+      for (int unsigned i = 0; i < ATTRIBUTES; i++) begin
+        if (index_q == INDEX_BITS'(i + 1)) begin
+          value0 = Z_BITS'(attr_i[i*ATTR_BITS +: ATTR_BITS]) << Z_FRACTION;
+          value1 = Z_BITS'(attr_i[(ATTRIBUTES+i)*ATTR_BITS +: ATTR_BITS]) << Z_FRACTION;
+          value2 = Z_BITS'(attr_i[(2*ATTRIBUTES+i)*ATTR_BITS +: ATTR_BITS]) << Z_FRACTION;
+        end
       end
     end
   end

@@ -20,6 +20,37 @@ class Listener {
   virtual void color(uint64_t /*cycle*/, const spec::ColorWrite&) {}
 };
 
+/// A stamp's address and lanes in a packed struct. The memories work on packed words: unpacking
+/// every field of every write would cost more than the RTL does.
+class StampWords {
+ public:
+  template <class T>
+  StampWords(const spec::Contract& c, const PayloadPort<T>& port, const char* lanes)
+      : words_(port.words()), lanes_(lanes == nullptr ? 0 : port.packer().position(lanes)) {
+    x_ = {port.packer().position("x"), c.width.stamp_x};
+    y_ = {port.packer().position("y"), c.width.stamp_y};
+    mask_ = {port.packer().position("mask"), c.width.lanes};
+  }
+
+  int x() const { return static_cast<int>(x_.get(words_)); }
+  int y() const { return static_cast<int>(y_.get(words_)); }
+  uint32_t mask() const { return static_cast<uint32_t>(mask_.get(words_)); }
+  /// Element `i`, of `bits` bits, of the lanes' field.
+  uint64_t element(size_t i, int bits) const {
+    return spec::get_bits(words_, lanes_ + static_cast<int>(i) * bits, bits);
+  }
+
+ private:
+  struct Place {
+    int position = 0;
+    int bits = 0;
+    uint64_t get(const uint32_t* words) const { return spec::get_bits(words, position, bits); }
+  };
+  const uint32_t* words_;
+  int lanes_;
+  Place x_, y_, mask_;
+};
+
 /// Serves the memory ports of a unit, cycle by cycle. A read accepted in cycle t is answered in
 /// t + latency and sees the writes accepted before t; nothing outside the frame exists.
 class MemoryEnd {
@@ -40,13 +71,17 @@ class MemoryEnd {
  private:
   struct Response {
     bool valid = false;
-    spec::DepthData data;
+    spec::Packed words;
   };
+  void read(Response* response) const;
+  void write_depth();
+  void write_color();
 
   const spec::Contract& contract_;
   SinkEnd<spec::DepthRead> reads_;
   SinkEnd<spec::DepthWrite> depth_writes_;
   SinkEnd<spec::ColorWrite> color_writes_;
+  StampWords read_words_, depth_words_, color_words_;
   PortData response_valid_;
   PayloadPort<spec::DepthData> response_;
   std::vector<Response> due_;  // by cycle modulo its size

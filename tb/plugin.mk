@@ -11,9 +11,11 @@ RTL_SOURCES := $(RTL)/lib/stream_fifo.sv $(RTL)/reciprocal.sv $(RTL)/setup_plane
   $(RTL)/setup_unit.sv $(RTL)/tile_walker.sv $(RTL)/stamp_walker.sv $(RTL)/traversal_unit.sv \
   $(RTL)/interpolator.sv $(RTL)/inflight_table.sv $(RTL)/interp_ztest_unit.sv $(RTL)/raster_top.sv
 LINT := $(RTL)/lint/waivers.vlt
+SELF := $(firstword $(MAKEFILE_LIST))
 
 VERILATOR_ROOT := $(shell $(VERILATOR) --getenv VERILATOR_ROOT)
-FLAGS := --cc -O3 --x-assign fast --x-initial fast --assert -Wall --prefix
+# Loops over the in-flight table are longer than what Verilator unrolls by itself.
+FLAGS := --cc -O3 --unroll-count 256 --x-assign fast --x-initial fast --assert -Wall --prefix
 RUNTIME := verilated verilated_fst_c verilated_threads
 
 # A second make, once the generated sources exist and can be listed.
@@ -21,23 +23,23 @@ ifneq ($(STAGE),objects)
 
 .PHONY: all
 all: $(UNITS:%=$(WORK)/%.stamp)
-	+$(MAKE) --no-print-directory -f $(firstword $(MAKEFILE_LIST)) STAGE=objects $(OUT)
+	+$(MAKE) --no-print-directory -f $(SELF) STAGE=objects $(OUT)
 
 $(WORK)/pineda_pkg.sv: $(EMIT)
 	mkdir -p $(WORK)
 	$(EMIT) $(DESIGN) $(WORK) --bench
 
-$(WORK)/raster_top.stamp: $(WORK)/pineda_pkg.sv $(RTL_SOURCES) $(LINT) $(RTL)/lint/taps.vlt
+$(WORK)/raster_top.stamp: $(WORK)/pineda_pkg.sv $(RTL_SOURCES) $(LINT) $(RTL)/lint/taps.vlt $(SELF)
 	$(VERILATOR) $(FLAGS) Vraster_top --trace-fst --Mdir $(WORK)/raster_top \
 	  --top-module raster_top $(LINT) $(RTL)/lint/taps.vlt $< $(RTL_SOURCES)
 	touch $@
 
-$(WORK)/loopback.stamp: $(WORK)/pineda_pkg.sv
+$(WORK)/loopback.stamp: $(WORK)/pineda_pkg.sv $(SELF)
 	$(VERILATOR) $(FLAGS) Vloopback -Wno-UNUSEDSIGNAL --Mdir $(WORK)/loopback \
 	  --top-module loopback $(LINT) $< $(WORK)/loopback.sv
 	touch $@
 
-$(WORK)/%.stamp: $(WORK)/pineda_pkg.sv $(RTL_SOURCES) $(LINT)
+$(WORK)/%.stamp: $(WORK)/pineda_pkg.sv $(RTL_SOURCES) $(LINT) $(SELF)
 	$(VERILATOR) $(FLAGS) V$* --Mdir $(WORK)/$* --top-module $* $(LINT) $< $(RTL_SOURCES)
 	touch $@
 

@@ -18,8 +18,8 @@ std::string plugin_file(const std::string& design) {
   for (const auto& folder : {program / "lib", program / ".." / "lib"}) {
     if (fs::exists(folder / name)) return (folder / name).string();
   }
-  throw RtlError(fmt::format("no RTL of design '{}': {} is not in {}", design, name,
-                             (program / "lib").string()));
+  throw PluginError(fmt::format("no RTL of design '{}': {} is not in {}", design, name,
+                                (program / "lib").string()));
 }
 
 }  // namespace
@@ -34,16 +34,16 @@ RtlLibrary::RtlLibrary(const spec::Contract& contract, const std::string& file)
 
 void RtlLibrary::load(const std::string& file) {
   handle_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle_ == nullptr) throw RtlError(dlerror());
+  if (handle_ == nullptr) throw PluginError(dlerror());
   using Entry = const PinedaRtlPlugin* (*)();
   const auto entry = reinterpret_cast<Entry>(dlsym(handle_, "pineda_rtl_plugin"));
   plugin_ = entry != nullptr ? entry() : nullptr;
   if (plugin_ == nullptr || plugin_->abi != kPinedaRtlAbi) {
-    throw RtlError(fmt::format("{}: not a plug-in of this version", file));
+    throw PluginError(fmt::format("{}: not a plug-in of this version", file));
   }
   if (plugin_->package_hash != spec::package_hash(contract_)) {
-    throw RtlError(fmt::format("{}: built from another package (hash {:016x}, expected {:016x})",
-                               file, plugin_->package_hash, spec::package_hash(contract_)));
+    throw PluginError(fmt::format("{}: built from another package (hash {:016x}, expected {:016x})",
+                                  file, plugin_->package_hash, spec::package_hash(contract_)));
   }
 }
 

@@ -18,7 +18,14 @@ class RtlError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The loaded plug-in of a design. Throws RtlError if it is missing, or built from other formats.
+/// The plug-in is missing, or stale, or not one.
+class PluginError : public RtlError {
+ public:
+  using RtlError::RtlError;
+};
+
+/// The loaded plug-in of a design. Throws PluginError if it is missing, or built from another
+/// package.
 class RtlLibrary {
  public:
   explicit RtlLibrary(const spec::Contract& contract);

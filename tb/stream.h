@@ -36,6 +36,9 @@ class PayloadPort {
     std::memcpy(words_.data(), port_.data, port_.bytes);
     return packer_.unpack(words_.data());
   }
+  const spec::Packer<T>& packer() const { return packer_; }
+  /// The packed struct where it lies; only for structs of more than 32 bits, which lie in words.
+  uint32_t* words() const { return static_cast<uint32_t*>(port_.data); }
   /// The raw bytes, to see whether a payload changed.
   bool copy_if_changed(std::vector<uint8_t>* last) const {
     const auto* bytes = static_cast<const uint8_t*>(port_.data);
@@ -105,6 +108,7 @@ class SinkEnd {
     return valid && ready;
   }
   T value() { return payload_.get(); }
+  const PayloadPort<T>& payload() const { return payload_; }
   bool offered() const { return valid_.bit(); }
   void forget() { waiting_ = false; }
 

@@ -9,19 +9,6 @@ using spec::Contract;
 
 namespace {
 
-// Calls visit(lane, sample) for each lane of `mask`; sample counts from the frame's first.
-template <class Visitor>
-void for_each_lane(const Contract& c, int width, int x, int y, uint32_t mask, Visitor&& visit) {
-  const int w_log2 = c.design.stamp_width_log2;
-  for (int lane = 0; lane < c.width.lanes; ++lane) {
-    if ((mask >> lane & 1) == 0) continue;
-    const int px = (x << w_log2) + (lane & ((1 << w_log2) - 1));
-    const int py = (y << c.design.stamp_height_log2) + (lane >> w_log2);
-    visit(static_cast<size_t>(lane),
-          static_cast<size_t>(py) * static_cast<size_t>(width) + static_cast<size_t>(px));
-  }
-}
-
 struct NoSink {
   void prim(const spec::SetupPrim&) {}
   void stamp(const spec::Stamp&) {}
@@ -45,25 +32,24 @@ void FrameBuffer::clear(const Contract& c) {
 
 spec::DepthData FrameBuffer::read(const Contract& c, int x, int y, uint32_t mask) const {
   spec::DepthData data;
-  for_each_lane(c, width, x, y, mask,
-                [&](size_t lane, size_t sample) { data.z[lane] = depth[sample]; });
+  for_each_lane(c, x, y, mask, [&](size_t lane, size_t sample) { data.z[lane] = depth[sample]; });
   return data;
 }
 
 void FrameBuffer::write(const Contract& c, const spec::DepthWrite& w) {
-  for_each_lane(c, width, w.x, w.y, w.mask,
+  for_each_lane(c, w.x, w.y, w.mask,
                 [&](size_t lane, size_t sample) { depth[sample] = w.z[lane]; });
 }
 
 void FrameBuffer::write(const Contract& c, const spec::ColorWrite& w) {
   const auto n = static_cast<size_t>(attributes);
-  for_each_lane(c, width, w.x, w.y, w.mask, [&](size_t lane, size_t sample) {
+  for_each_lane(c, w.x, w.y, w.mask, [&](size_t lane, size_t sample) {
     std::copy_n(w.attr[lane].begin(), n, color.begin() + static_cast<std::ptrdiff_t>(sample * n));
   });
 }
 
 void FrameBuffer::count_hits(const Contract& c, const spec::Stamp& stamp) {
-  for_each_lane(c, width, stamp.x, stamp.y, stamp.mask, [&](size_t, size_t sample) {
+  for_each_lane(c, stamp.x, stamp.y, stamp.mask, [&](size_t, size_t sample) {
     if (hits[sample] != UINT16_MAX) ++hits[sample];
   });
 }

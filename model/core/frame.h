@@ -22,6 +22,21 @@ struct FrameBuffer {
   FrameBuffer(const spec::Contract& contract, const spec::FrameState& frame);
   void clear(const spec::Contract& contract);
 
+  /// Calls visit(lane, sample) for each lane of `mask` of the stamp in column x, row y; `sample`
+  /// indexes the memories.
+  template <class Visitor>
+  void for_each_lane(const spec::Contract& contract, int x, int y, uint32_t mask,
+                     Visitor&& visit) const {
+    const int w_log2 = contract.design.stamp_width_log2;
+    for (; mask != 0; mask &= mask - 1) {
+      const int lane = __builtin_ctz(mask);
+      const int px = (x << w_log2) + (lane & ((1 << w_log2) - 1));
+      const int py = (y << contract.design.stamp_height_log2) + (lane >> w_log2);
+      visit(static_cast<size_t>(lane),
+            static_cast<size_t>(py) * static_cast<size_t>(width) + static_cast<size_t>(px));
+    }
+  }
+
   /// Depth codes of a stamp at the lanes of `mask`; 0 in the others.
   spec::DepthData read(const spec::Contract& contract, int x, int y, uint32_t mask) const;
   void write(const spec::Contract& contract, const spec::DepthWrite& write);

@@ -132,10 +132,11 @@ void write_file(const std::string& path, std::string_view bytes) {
   if (error) {
     throw InputError(folder.string(), "expected to make the folder, got: " + error.message());
   }
-  // A link keeps its place and the file behind it is replaced; a device or a pipe cannot be renamed
-  // over, so it is written to as it is.
+  // A link keeps its place and the file behind it is replaced; a device, a pipe or a
+  // stream that is open already (/dev/stdout) cannot be renamed over, so it is written to as it is.
   const fs::file_status status = fs::status(path, error);
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
+  const bool special = path.rfind("/dev/", 0) == 0 || path.rfind("/proc/", 0) == 0;
+  if (special || (fs::exists(status) && !fs::is_regular_file(status))) {
     write_through(path, bytes);
     return;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "model/spec/fields.h"
@@ -46,6 +47,16 @@ class Packer {
   int bits() const { return bits_; }
   int words() const { return (bits_ + 31) / 32; }
   const std::vector<Field<T>>& table() const { return table_; }
+
+  /// Where a field's element 0 lies: its lowest bit. The field must exist.
+  int position(const std::string& name) const {
+    int position = bits_;
+    for (const auto& field : table_) {
+      position -= field.bits * field.count;
+      if (name == field.name) return position;
+    }
+    return -1;
+  }
 
   /// `words` holds words() zeroed or stale words; all of them are written.
   void pack(const T& value, uint32_t* words) const {

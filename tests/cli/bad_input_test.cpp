@@ -160,7 +160,7 @@ TEST_P(BadInput, IsRefusedInOneLineAndNothingIsWritten) {
   scratch_.write(file, GetParam().bytes);
   make_older_files();
   for (const auto& command : kSceneCommands) {
-    const Run run = pineda(with_outputs(command, file), inside(scratch_.path(".")));
+    const Outcome run = pineda(with_outputs(command, file), inside(scratch_.path(".")));
     EXPECT_TRUE(is_refused(run, file)) << command;
     EXPECT_TRUE(is_refused(run, GetParam().says)) << command;
     expect_older_files_only(command);
@@ -189,7 +189,7 @@ TEST_P(BadStream, IsRefusedInOneLineAndNothingIsWritten) {
     const Scratch scratch;
     Surroundings piped = inside(scratch.path("."));
     piped.input = GetParam().bytes;
-    const Run run = pineda(with_outputs(command, "-"), piped);
+    const Outcome run = pineda(with_outputs(command, "-"), piped);
     EXPECT_TRUE(is_refused(run, "standard input")) << command;
     EXPECT_EQ(scratch.files(), Arguments{}) << command;
     // What is wrong with a stream must not be that it is one.
@@ -204,7 +204,7 @@ TEST(MissingFile, IsNamedInOneLine) {
   const Scratch scratch;
   for (const auto& command : kSceneCommands) {
     for (const char* name : {"none.tri", "none.ptrb", "none.obj", "no/such/folder.tri"}) {
-      const Run run = pineda(with_outputs(command, name), inside(scratch.path(".")));
+      const Outcome run = pineda(with_outputs(command, name), inside(scratch.path(".")));
       EXPECT_TRUE(is_refused(run, name)) << command;
       EXPECT_EQ(scratch.files(), Arguments{}) << command;
     }
@@ -230,7 +230,7 @@ TEST(OddNumbers, AreCountedAndSaid) {
                                    "v inf -inf 0" + v + rest + "v 0 1e-40 -1e-41" + v + rest +
                                    "v 0 0 1.5" + v + "v 8 0 -inf" + v + "v 0 8 1" + v);
   for (const auto& command : kSceneCommands) {
-    const Run run = pineda({command, file, "--json", "-", "--quiet"});
+    const Outcome run = pineda({command, file, "--json", "-", "--quiet"});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_NE(run.err.find("4 triangles dropped"), std::string::npos) << run.err;
     const Json json = run.json();

@@ -20,7 +20,7 @@ TEST_P(BadUsageTest, IsRefusedInOneLine) {
   const Scratch scratch;
   scratch.write("scene.tri", tri_text(frame("TileBorders")));
   scratch.write("scene.ptrb", ptrb_bytes(frame("TileBorders")));
-  const Run run = pineda(GetParam().arguments, inside(scratch.path(".")));
+  const Outcome run = pineda(GetParam().arguments, inside(scratch.path(".")));
   EXPECT_TRUE(is_refused(run, GetParam().says));
   EXPECT_EQ(run.out, "");
 }
@@ -28,7 +28,7 @@ TEST_P(BadUsageTest, IsRefusedInOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     Cli, BadUsageTest,
     testing::Values(
-        BadUsage{"NoCommand", {}, "subcommand"}, BadUsage{"UnknownCommand", {"draw"}, "pineda: "},
+        BadUsage{"NoCommand", {}, "command"}, BadUsage{"UnknownCommand", {"draw"}, "'draw'"},
         BadUsage{"NoScene", {"check"}, "scene"},
         BadUsage{"UnknownOption", {"render", "triangle", "--fast"}, "--fast"},
         BadUsage{"TwoScenes", {"render", "triangle", "grid"}, "grid"},

@@ -1,6 +1,8 @@
 // pineda check under stalls and latencies, and its exit 1.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/cli/frames.h"
 #include "tests/cli/program.h"
 
@@ -77,7 +79,7 @@ class FaultyRtl : public testing::Test {
 
 TEST_F(FaultyRtl, MakesCheckExitOne) {
   const std::string text = scratch_.write("scene.tri", tri_text(frame("TileBorders")));
-  const Run run = pineda({"check", text, "--json", "-", "-o", scratch_.path("out")}, copy_);
+  const Outcome run = pineda({"check", text, "--json", "-", "-o", scratch_.path("out")}, copy_);
   EXPECT_EQ(run.exit_code, 1) << run.err;
   EXPECT_GT(run.json().at("mismatches"), 0);
   EXPECT_NE(run.err.find("DOES NOT HOLD"), std::string::npos) << run.err;
@@ -86,7 +88,7 @@ TEST_F(FaultyRtl, MakesCheckExitOne) {
 
 TEST_F(FaultyRtl, WithoutAnyRtlOneLineSaysSo) {
   std::filesystem::remove_all(scratch_.path("lib"));
-  const Run run = pineda({"rtl", "triangle"}, copy_);
+  const Outcome run = pineda({"rtl", "triangle"}, copy_);
   EXPECT_NE(run.exit_code, 0);
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
   EXPECT_NE(run.err.find("high_tile"), std::string::npos) << run.err;

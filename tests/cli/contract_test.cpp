@@ -11,11 +11,11 @@ namespace pineda::test {
 namespace {
 
 TEST(Help, EveryCommandHasIt) {
-  const Run all = pineda({"--help"});
+  const Outcome all = pineda({"--help"});
   EXPECT_TRUE(ended_silently(all));
   for (const char* command : {"check", "render", "time", "rtl", "walk", "designs"}) {
     EXPECT_NE(all.out.find(std::string("\n  ") + command), std::string::npos) << command;
-    const Run run = pineda({command, "--help"});
+    const Outcome run = pineda({command, "--help"});
     EXPECT_TRUE(ended_silently(run)) << command;
     for (const char* word : {"Usage: ", "--help", "--json", "--quiet"}) {
       EXPECT_NE(run.out.find(word), std::string::npos) << command << " " << word;
@@ -91,7 +91,7 @@ TEST_F(Figures, OfRepeatedRunsAreThoseOfOne) {
 TEST_F(Figures, GoToAFileUnderTheSameKeys) {
   for (const auto& command : kSceneCommands) {
     const std::string file = scratch_.path("new/" + command + ".json");
-    const Run run = pineda({command, text_, "--json", file});
+    const Outcome run = pineda({command, text_, "--json", file});
     EXPECT_TRUE(ended_silently(run)) << command;
     EXPECT_NE(run.out.find("seconds"), std::string::npos) << command << ": " << run.out;
     Json in_file = Json::parse(read_bytes(file));
@@ -103,8 +103,8 @@ TEST_F(Figures, GoToAFileUnderTheSameKeys) {
 
 TEST_F(Figures, OnStandardOutputLeaveTheTableToStandardError) {
   for (const auto& command : kSceneCommands) {
-    const Run table = pineda({command, text_});
-    const Run json = pineda({command, text_, "--json", "-"});
+    const Outcome table = pineda({command, text_});
+    const Outcome json = pineda({command, text_, "--json", "-"});
     EXPECT_TRUE(json.json().is_object()) << command;
     const auto lines = [](const std::string& text) {
       return std::count(text.begin(), text.end(), '\n');
@@ -116,14 +116,14 @@ TEST_F(Figures, OnStandardOutputLeaveTheTableToStandardError) {
 
 TEST_F(Figures, AreLeftOutByQuiet) {
   for (const auto& command : kSceneCommands) {
-    const Run run = pineda({command, text_, "--quiet"});
+    const Outcome run = pineda({command, text_, "--quiet"});
     EXPECT_TRUE(ended_silently(run)) << command;
     EXPECT_EQ(run.out, "") << command;
-    const Run json = pineda({command, text_, "--quiet", "--json", "-"});
+    const Outcome json = pineda({command, text_, "--quiet", "--json", "-"});
     EXPECT_TRUE(ended_silently(json)) << command;
     EXPECT_TRUE(json.json().is_object()) << command;
   }
-  const Run designs = pineda({"designs", "--quiet"});
+  const Outcome designs = pineda({"designs", "--quiet"});
   EXPECT_TRUE(ended_silently(designs));
   EXPECT_EQ(designs.out, "");
 }
@@ -150,7 +150,7 @@ TEST_F(Figures, OfBuiltInScenesNeedNoFile) {
 }
 
 TEST(Walk, ShowsEveryStageOfATriangle) {
-  const Run run = pineda({"walk", "triangle"});
+  const Outcome run = pineda({"walk", "triangle"});
   EXPECT_TRUE(ended_silently(run));
   for (const char* stage : {"Triangle", "SetupPrim", "Stamp", "DepthWrite", "ColorWrite"}) {
     EXPECT_NE(run.out.find(std::string("\n") + stage), std::string::npos) << stage;

@@ -16,7 +16,7 @@ class EveryFrame : public testing::TestWithParam<Frame> {
   /// Dumps into a folder of the given name.
   void dump(const std::string& folder, Arguments arguments) const {
     arguments.insert(arguments.end(), {"--quiet", "--dump", scratch_.path(folder)});
-    const Run run = pineda(arguments);
+    const Outcome run = pineda(arguments);
     EXPECT_EQ(run.exit_code, 0) << run.err;
   }
   void expect_same(const std::string& a, const std::string& b) const {

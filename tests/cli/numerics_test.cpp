@@ -14,7 +14,7 @@ namespace {
 Dump dump_of(const Scene& scene, const std::string& command = "render") {
   const Scratch scratch;
   const std::string file = scratch.write("scene.ptrb", ptrb_bytes(scene));
-  const Run run = pineda({command, file, "--quiet", "--dump", scratch.path("dump")});
+  const Outcome run = pineda({command, file, "--quiet", "--dump", scratch.path("dump")});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   return read_dump(scratch.path("dump"), scene);
 }

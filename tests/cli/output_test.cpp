@@ -82,7 +82,7 @@ TEST_P(UnwritablePlace, IsNamedInOneLine) {
   std::filesystem::create_directory(scratch.path("folder"));
   Arguments arguments = GetParam().arguments;
   arguments.emplace_back("--quiet");
-  const Run run = pineda(arguments, inside(scratch.path(".")));
+  const Outcome run = pineda(arguments, inside(scratch.path(".")));
   EXPECT_TRUE(is_refused(run, GetParam().arguments.back()));
   EXPECT_EQ(scratch.files(), Arguments{"file"});
   EXPECT_EQ(read_bytes(scratch.path("file")), "older");
@@ -131,7 +131,7 @@ TEST(StandardOutput, ThatIsFullIsNotSilentlyLost) {
                                       {"check", "triangle", "--json", "-", "--quiet"},
                                       {"designs"}};
   for (const auto& arguments : prints) {
-    const Run run = pineda(arguments, full);
+    const Outcome run = pineda(arguments, full);
     EXPECT_EQ(run.exit_code, 2) << testing::PrintToString(arguments);
     EXPECT_NE(run.err.find("standard output"), std::string::npos) << run.err;
   }

@@ -40,6 +40,13 @@ Pipe make_terminal() {
   return ends;
 }
 
+/// Puts a file in the place of one end.
+void replace(int* end, const std::string& path, int mode) {
+  close(*end);
+  *end = open(path.c_str(), mode | O_CLOEXEC);
+  if (*end < 0) throw std::runtime_error("cannot open " + path);
+}
+
 void write_all(int to, const std::string& bytes) {
   size_t done = 0;
   while (done < bytes.size()) {
@@ -105,7 +112,7 @@ std::string read_bytes(const std::string& path) {
   return text.str();
 }
 
-Json Run::json() const {
+Json Outcome::json() const {
   Json value = Json::parse(out, nullptr, false);
   EXPECT_FALSE(value.is_discarded()) << "not JSON alone: " << out;
   return value;
@@ -117,16 +124,13 @@ Surroundings inside(const std::string& folder) {
   return surroundings;
 }
 
-Run pineda(const Arguments& arguments, const Surroundings& surroundings) {
+Outcome pineda(const Arguments& arguments, const Surroundings& surroundings) {
   signal(SIGPIPE, SIG_IGN);  // a program that refuses its input early is no reason to die
-  const Pipe in = make_pipe();
+  Pipe in = make_pipe();
   const Pipe err = surroundings.error_is_a_terminal ? make_terminal() : make_pipe();
   Pipe out = make_pipe();
-  if (!surroundings.out.empty()) {
-    close(out.write_end);
-    out.write_end = open(surroundings.out.c_str(), O_WRONLY | O_CLOEXEC);
-    if (out.write_end < 0) throw std::runtime_error("cannot open " + surroundings.out);
-  }
+  if (!surroundings.in.empty()) replace(&in.read_end, surroundings.in, O_RDONLY);
+  if (!surroundings.out.empty()) replace(&out.write_end, surroundings.out, O_WRONLY);
 
   std::string program = surroundings.program;
   std::vector<std::string> words = arguments;
@@ -143,7 +147,7 @@ Run pineda(const Arguments& arguments, const Surroundings& surroundings) {
   close(out.write_end);
   close(err.write_end);
 
-  Run run;
+  Outcome run;
   std::thread feed([&] { write_all(in.write_end, surroundings.input); });
   std::thread listen([&] { read_all(err.read_end, &run.err); });
   read_all(out.read_end, &run.out);
@@ -159,17 +163,17 @@ Run pineda(const Arguments& arguments, const Surroundings& surroundings) {
 
 Json figures(Arguments arguments, const Surroundings& surroundings) {
   arguments.insert(arguments.end(), {"--json", "-"});
-  const Run run = pineda(arguments, surroundings);
+  const Outcome run = pineda(arguments, surroundings);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   return run.json();
 }
 
-testing::AssertionResult ended_silently(const Run& run, int exit_code) {
+testing::AssertionResult ended_silently(const Outcome& run, int exit_code) {
   if (run.exit_code == exit_code && run.err.empty()) return testing::AssertionSuccess();
   return testing::AssertionFailure() << "exit " << run.exit_code << ", said: " << run.err;
 }
 
-testing::AssertionResult is_refused(const Run& run, const std::string& part) {
+testing::AssertionResult is_refused(const Outcome& run, const std::string& part) {
   if (run.exit_code != 2) {
     return testing::AssertionFailure() << "exit " << run.exit_code << ", said: " << run.err;
   }

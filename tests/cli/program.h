@@ -33,7 +33,7 @@ class Scratch {
 
 std::string read_bytes(const std::string& path);
 
-struct Run {
+struct Outcome {
   int exit_code = -1;  // -1: killed by a signal
   std::string out;
   std::string err;
@@ -46,9 +46,10 @@ struct Run {
 /// Where a run happens, and what it reads and writes.
 struct Surroundings {
   std::string input;   // bytes on standard input, through a pipe
+  std::string in;      // or a path to read it from
   std::string folder;  // working directory; empty: the test's own
   std::string program = PINEDA_PROGRAM;
-  std::string out;                   // standard output goes to this path; empty: to Run::out
+  std::string out;                   // standard output goes to this path; empty: to Outcome::out
   bool error_is_a_terminal = false;  // standard error
 };
 
@@ -56,16 +57,16 @@ struct Surroundings {
 Surroundings inside(const std::string& folder);
 
 /// Runs `pineda ARGUMENTS...` to its end.
-Run pineda(const Arguments& arguments, const Surroundings& surroundings = {});
+Outcome pineda(const Arguments& arguments, const Surroundings& surroundings = {});
 
 /// `pineda ARGUMENTS... --json -`, which must exit 0.
 Json figures(Arguments arguments, const Surroundings& surroundings = {});
 
 /// Did the run end with `exit_code`, and say nothing on standard error?
-testing::AssertionResult ended_silently(const Run& run, int exit_code = 0);
+testing::AssertionResult ended_silently(const Outcome& run, int exit_code = 0);
 
 /// Did it exit 2, with one line on standard error that holds `part`, and print no figures?
-testing::AssertionResult is_refused(const Run& run, const std::string& part);
+testing::AssertionResult is_refused(const Outcome& run, const std::string& part);
 
 /// The commands that take a scene.
 inline const std::vector<std::string> kSceneCommands = {"render", "time", "rtl", "check"};
