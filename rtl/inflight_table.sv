@@ -32,14 +32,16 @@ module inflight_table #(
   assign full_o = inflight_q[insert_q];
   assign empty_o = inflight_q == '0;
 
+  logic hit;
   always_comb begin
-    hit_o = 1'b0;
+    hit = 1'b0;
     if (lookup_i) begin
       for (int unsigned i = 0; i < Depth; i++) begin
-        hit_o = hit_o | (inflight_q[i] && address_q[i] == address_i);
+        hit = hit | (inflight_q[i] && address_q[i] == address_i);
       end
     end
   end
+  assign hit_o = hit;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin

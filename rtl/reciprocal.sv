@@ -36,10 +36,14 @@ module reciprocal (
   logic signed [ERROR_BITS-1:0] error_q;
   logic [STEP_BITS-1:0] step_q;
 
+  // 'x while nothing starts costs no gate and saves the simulator the work.
   always_comb begin
-    length = '0;
-    for (int unsigned i = 0; i < AREA_BITS; i++) begin
-      if (area2_i[i]) length = LENGTH_BITS'(i + 1);
+    length = 'x;
+    if (start_i) begin
+      length = '0;
+      for (int unsigned i = 0; i < AREA_BITS; i++) begin
+        if (area2_i[i]) length = LENGTH_BITS'(i + 1);
+      end
     end
   end
   // The leading one at the top; what falls below W bits is cut off.
