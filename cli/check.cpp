@@ -16,13 +16,17 @@ struct CheckOptions : Options {
   std::string out;
 };
 
-/// Hands the triangles that a model pulls on to its scoreboard, which is never ahead of it.
+/// Hands the triangles that a model pulls on to its scoreboard, which is never ahead of it and at
+/// most kBehind triangles behind.
 class Tee {
  public:
+  static constexpr size_t kBehind = 4096;
+
   explicit Tee(ChunkedTriangles* triangles) : triangles_(triangles) {}
-  bool pull(spec::Triangle* triangle) {
+  bool pull(spec::Triangle* triangle, tb::Scoreboard* scoreboard) {
     if (!triangles_->next(triangle)) return false;
     pulled_.push_back(*triangle);
+    if (pulled_.size() > kBehind) scoreboard->draw_ahead();
     return true;
   }
   bool follow(spec::Triangle* triangle) {
@@ -91,7 +95,7 @@ Side check_model(const scene::Scene& scene, const spec::Contract& contract,
   timing::FrameResult result;
   const double seconds = seconds_of([&] {
     result = top->run(
-        scene.frame, [&](spec::Triangle* t) { return tee.pull(t); }, &listener);
+        scene.frame, [&](spec::Triangle* t) { return tee.pull(t, &scoreboard); }, &listener);
   });
   Side side = conclude("SystemC", &scoreboard, reference, top->buffer(), false);
   side.cycles = static_cast<uint64_t>(result.cycles);
@@ -112,7 +116,7 @@ Side check_rtl(const scene::Scene& scene, const spec::Contract& contract,
   tb::FrameResult result;
   const double seconds = seconds_of([&] {
     result = bench.run(
-        scene.frame, [&](spec::Triangle* t) { return tee.pull(t); }, &scoreboard);
+        scene.frame, [&](spec::Triangle* t) { return tee.pull(t, &scoreboard); }, &scoreboard);
   });
   Side side = conclude("RTL", &scoreboard, reference, bench.buffer(), true);
   side.cycles = result.cycles;

@@ -27,14 +27,15 @@ class Reference {
   void pop_depth() { depths_.pop_front(); }
   void pop_color() { colors_.pop_front(); }
 
-  /// Draws what is left of the frame, as far as no boundary still waits for it.
+  /// Draws one more triangle than was asked for; false at the end of what there is so far.
+  bool draw();
+
   const core::Renderer& renderer() const { return renderer_; }
 
  private:
   friend struct Recorder;
   template <class T>
   const T* front(std::deque<T>* queue);
-  bool draw();
 
   core::Renderer renderer_;
   NextTriangle next_;
@@ -54,6 +55,10 @@ class Scoreboard : public Listener {
   void stamp(uint64_t cycle, const spec::Stamp& got) override;
   void depth(uint64_t cycle, const spec::DepthWrite& got) override;
   void color(uint64_t cycle, const spec::ColorWrite& got) override;
+
+  /// Draws one triangle ahead. For who feeds the scoreboard: a long run of triangles that are all
+  /// dropped asks for nothing, and would pile up.
+  void draw_ahead() { reference_.draw(); }
 
   /// Call once at the end of the run: counts the tokens that never came.
   void finish();
