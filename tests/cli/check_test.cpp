@@ -89,7 +89,7 @@ TEST_F(FaultyRtl, MakesCheckExitOne) {
 TEST_F(FaultyRtl, WithoutAnyRtlOneLineSaysSo) {
   std::filesystem::remove_all(scratch_.path("lib"));
   const Outcome run = pineda({"rtl", "triangle"}, copy_);
-  EXPECT_NE(run.exit_code, 0);
+  EXPECT_EQ(run.exit_code, 2) << run.err;
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
   EXPECT_NE(run.err.find("high_tile"), std::string::npos) << run.err;
 }
