@@ -103,15 +103,14 @@ Side check_model(const scene::Scene& scene, const spec::Contract& contract,
   return side;
 }
 
-Side check_rtl(const scene::Scene& scene, const spec::Contract& contract,
+Side check_rtl(const scene::Scene& scene, const tb::RtlLibrary& library,
                const tb::BenchOptions& options, const core::FrameBuffer& reference,
                Progress* progress) {
   scene.source->rewind();
   ChunkedTriangles triangles(scene.source.get(), progress, "RTL");
   Tee tee(&triangles);
-  tb::Scoreboard scoreboard("RTL", contract, scene.frame,
+  tb::Scoreboard scoreboard("RTL", library.contract(), scene.frame,
                             [&](spec::Triangle* t) { return tee.follow(t); });
-  const tb::RtlLibrary library(contract);
   tb::FrameBench bench(library, options);
   tb::FrameResult result;
   const double seconds = seconds_of([&] {
@@ -173,11 +172,12 @@ void print(const Output& output, const CheckResult& r, const std::string& out) {
 }
 
 int run(const CheckOptions& options) {
-  const spec::Contract contract = contract_of(options);
+  const spec::Contract contract = rtl_contract_of(options);
   const Output output(options);
   Progress progress(options);
   const auto bench = bench_options(options, contract);
   const scene::Scene scene = open(options, contract, true);
+  const tb::RtlLibrary library(contract);
   const Json header = header_json(scene, contract);
   const std::string settings =
       fmt::format("cull {}, depth {}, depth latency {} cycles, stalls {}, seed {}",
@@ -194,7 +194,7 @@ int run(const CheckOptions& options) {
     result.judgement = judge([&](spec::Triangle* t) { return triangles.next(t); }, &reference);
     result.counters = reference.counters();
     result.model = check_model(scene, contract, bench, reference.buffer(), &progress);
-    result.rtl = check_rtl(scene, contract, bench, reference.buffer(), &progress);
+    result.rtl = check_rtl(scene, library, bench, reference.buffer(), &progress);
   });
   result.input = scene.source->counters();
   progress.clear();

@@ -16,9 +16,11 @@ Json design_json(const spec::Design& d) {
           {"depth_bits", d.depth_bits},
           {"attributes", d.attributes},
           {"attribute_bits", d.attribute_bits},
+          {"reciprocal_scheme", spec::reciprocal_scheme_name(d.reciprocal_scheme)},
           {"reciprocal_lut_bits", d.reciprocal_lut_bits},
           {"reciprocal_newton_steps", d.reciprocal_newton_steps},
           {"reciprocal_bits", d.reciprocal_bits},
+          {"reciprocal_cycles", spec::reciprocal_cycles(d)},
           {"gradient_fraction_bits", d.gradient_fraction_bits},
           {"tile_fraction_bits", d.tile_fraction_bits},
           {"tile_px", 1 << d.tile_log2},
@@ -31,6 +33,7 @@ Json design_json(const spec::Design& d) {
           {"depth_latency_cycles", d.depth_latency_cycles},
           {"max_depth_latency_cycles", d.max_depth_latency_cycles},
           {"inflight_stamps", w.inflight_stamps},
+          {"has_rtl", spec::no_rtl_reason(d).empty()},
           {"depth_bound_ulp", bounds.depth_ulp},
           {"color_bound_lsb", bounds.attribute_lsb}};
 }
@@ -42,11 +45,14 @@ int run(const Options& options) {
     const Json parameters = design_json(design);
     json["designs"][design.name] = parameters;
     output.line("{}: {}", design.name, design.summary);
+    const std::string no_rtl = spec::no_rtl_reason(design);
+    if (!no_rtl.empty()) output.line("  {:<26}{}", "no RTL", no_rtl);
     for (const auto& [key, value] : parameters.items()) {
       if (key == "summary") continue;
-      output.line(
-          "  {:<26}{}", key,
-          value.is_number_float() ? fmt::format("{:.4f}", value.get<double>()) : value.dump());
+      output.line("  {:<26}{}", key,
+                  value.is_number_float() ? fmt::format("{:.4f}", value.get<double>())
+                  : value.is_string()     ? value.get<std::string>()
+                                          : value.dump());
     }
   }
   output.json(json);

@@ -27,10 +27,9 @@ struct JudgeSink {
   void prim(const spec::SetupPrim&) {}
   void depth(const spec::DepthWrite&) {}
   void color(const spec::ColorWrite&) {}
-  void stamp(const spec::Stamp& stamp) {
+  void stamp(const spec::Stamp&) {}
+  void fragment(const spec::Stamp& stamp, const spec::Fragment& fragment) {
     const spec::Design& d = contract.design;
-    spec::Fragment fragment;
-    core::interpolate(contract, stamp, &fragment);
     for (int lane = 0; lane < contract.width.lanes; ++lane) {
       if ((stamp.mask >> lane & 1) == 0) continue;
       const int x = (stamp.x << d.stamp_width_log2) + (lane & ((1 << d.stamp_width_log2) - 1));

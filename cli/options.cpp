@@ -98,6 +98,23 @@ spec::Contract contract_of(const Options& options) {
   throw UsageError(fmt::format("--design: expected one of {}, got '{}'", known, options.design));
 }
 
+namespace {
+
+spec::Contract with(std::string (*reason)(const spec::Design&), const Options& options) {
+  const spec::Contract contract = contract_of(options);
+  const std::string why = reason(contract.design);
+  if (!why.empty()) throw UsageError(fmt::format("--design {}: {}", options.design, why));
+  return contract;
+}
+
+}  // namespace
+
+spec::Contract timed_contract_of(const Options& options) {
+  return with(spec::no_cycles_reason, options);
+}
+
+spec::Contract rtl_contract_of(const Options& options) { return with(spec::no_rtl_reason, options); }
+
 scene::Scene open(const Options& o, const spec::Contract& contract, bool multi_pass) {
   scene::Options options;
   if (!o.size.empty()) {

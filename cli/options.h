@@ -53,6 +53,9 @@ void add_time_options(CLI::App* command, Options* options);
 
 /// The design by name. Throws UsageError that lists the designs there are.
 spec::Contract contract_of(const Options& options);
+/// The same for commands that need cycles, or the RTL; UsageError where the design has none.
+spec::Contract timed_contract_of(const Options& options);
+spec::Contract rtl_contract_of(const Options& options);
 /// Opens the scene, with `multi_pass` so that it can be rewound.
 scene::Scene open(const Options& options, const spec::Contract& contract, bool multi_pass);
 int latency_of(const Options& options, const spec::Contract& contract);

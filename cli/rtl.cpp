@@ -44,7 +44,7 @@ class TraceFile {
 };
 
 int run(const RtlOptions& options) {
-  const spec::Contract contract = contract_of(options);
+  const spec::Contract contract = rtl_contract_of(options);
   const Output output(options);
   Progress progress(options);
   const auto bench_opts = bench_options(options, contract);

@@ -26,7 +26,7 @@ void print_unit(const Output& output, const char* name, const timing::UnitCycles
 }
 
 int run(const TimeOptions& options) {
-  const spec::Contract contract = contract_of(options);
+  const spec::Contract contract = timed_contract_of(options);
   const Output output(options);
   Progress progress(options);
   const auto bench = bench_options(options, contract);

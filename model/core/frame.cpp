@@ -12,6 +12,7 @@ namespace {
 struct NoSink {
   void prim(const spec::SetupPrim&) {}
   void stamp(const spec::Stamp&) {}
+  void fragment(const spec::Stamp&, const spec::Fragment&) {}
   void depth(const spec::DepthWrite&) {}
   void color(const spec::ColorWrite&) {}
 };

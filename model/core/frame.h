@@ -1,8 +1,10 @@
 // A whole frame through the three units: the functional model.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "model/core/exact_planes.h"
 #include "model/core/interp.h"
 #include "model/core/setup.h"
 #include "model/core/traversal.h"
@@ -64,7 +66,8 @@ struct TileRows {
 
 /// Draws triangles one by one, or the part of them that lies in some rows of tiles. With a Sink,
 /// hands over each token at each unit boundary in order: sink.prim(SetupPrim), sink.stamp(Stamp),
-/// sink.depth(DepthWrite), sink.color(ColorWrite).
+/// sink.depth(DepthWrite), sink.color(ColorWrite); and inside the last unit, before the depth test,
+/// sink.fragment(Stamp, Fragment).
 class Renderer {
  public:
   Renderer(const spec::Contract& contract, const spec::FrameState& frame, TileRows rows = {})
@@ -93,6 +96,7 @@ class Renderer {
   TileRows rows_;
   FrameBuffer buffer_;
   FrameCounters counters_;
+  std::optional<ExactPlanes> exact_;  // of the triangle being drawn, in a design without reciprocal
 };
 
 template <class Sink>
@@ -104,6 +108,9 @@ Drop Renderer::draw(const spec::Triangle& triangle, Sink&& sink) {
   if (drop != Drop::kNone) return drop;
   if (!clip_rows(contract_, rows_.first, rows_.last, &prim)) return drop;
   sink.prim(prim);
+  if (contract_.design.reciprocal_scheme == spec::ReciprocalScheme::kNone) {
+    exact_.emplace(contract_, triangle);
+  }
 
   TileWalk tiles(contract_, prim);
   Tile tile;
@@ -132,7 +139,12 @@ void Renderer::draw_stamp(const spec::Stamp& stamp, Sink&& sink) {
   ++counters_.stamps;
   counters_.fragments += static_cast<uint64_t>(__builtin_popcount(stamp.mask));
   spec::Fragment fragment;
-  interpolate(contract_, stamp, &fragment);
+  if (exact_) {
+    exact_->interpolate(contract_, stamp, &fragment);
+  } else {
+    interpolate(contract_, stamp, &fragment);
+  }
+  sink.fragment(stamp, fragment);
   uint32_t passed = stamp.mask;
   const bool test = frame_.depth != spec::DepthFunc::kOff;
   if (test) {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "model/spec/reciprocal_rom.h"
-
 namespace pineda::core {
 
 using spec::Contract;
@@ -123,25 +121,6 @@ const char* drop_name(Drop drop) {
   return kNames[static_cast<int>(drop)];
 }
 
-Reciprocal reciprocal(const Contract& c, int64_t area2) {
-  const spec::Design& d = c.design;
-  const int bits = d.reciprocal_bits + 2;  // 2 guard bits while iterating; 32 at k = 30
-  const int length = spec::bit_length(static_cast<uint64_t>(area2));
-  const int64_t m = length <= bits ? area2 << (bits - length) : area2 >> (length - bits);
-  const int64_t index =
-      (m >> (bits - 1 - d.reciprocal_lut_bits)) & ((int64_t{1} << d.reciprocal_lut_bits) - 1);
-  const int rom_bits = spec::reciprocal_rom_bits(d);
-  const int64_t entry = spec::reciprocal_rom(d, static_cast<int>(index));
-  int64_t x = ((int64_t{1} << rom_bits) + entry) << (bits - rom_bits - 1);
-  for (int i = 0; i < d.reciprocal_newton_steps; ++i) {
-    // 2 - 2mx in UQ1.bits, then the product; both truncated.
-    const auto mx2 = static_cast<int64_t>((int128_t{m} * x) >> (bits - 1));
-    x = static_cast<int64_t>((int128_t{x} * ((int64_t{2} << bits) - mx2)) >> bits);
-  }
-  const int64_t limit = (int64_t{1} << d.reciprocal_bits) - 1;
-  return {std::min(round_half_up(x, 2), limit), length};
-}
-
 Drop setup(const Contract& c, const FrameState& frame, const Triangle& triangle, SetupPrim* out) {
   int64_t area2 = doubled_area(triangle);
   if (area2 == 0) return Drop::kZeroArea;
@@ -170,6 +149,10 @@ Drop setup(const Contract& c, const FrameState& frame, const Triangle& triangle,
     prim.edge[i] = edge_function(c, *v[i], *v[(i + 1) % 3], x, y);
   }
 
+  if (c.design.reciprocal_scheme == spec::ReciprocalScheme::kNone) {
+    *out = prim;
+    return Drop::kNone;
+  }
   const PlaneSetup planes{reciprocal(c, area2),
                           {int64_t{v[1]->x} - v[0]->x, int64_t{v[2]->x} - v[0]->x},
                           {int64_t{v[1]->y} - v[0]->y, int64_t{v[2]->y} - v[0]->y},

@@ -6,6 +6,18 @@
 
 namespace pineda::spec {
 
+/// How the planes get from numerators to gradients.
+enum class ReciprocalScheme {
+  kNewton,      // ROM of 2^lut_bits entries, then Newton steps, none included
+  kQuadratic,   // ROM of 2^lut_bits parabolas
+  kRestoring2,  // restoring division, a bit a cycle
+  kRestoring4,  // the same quotient, two bits a cycle
+  kNone,        // no reciprocal: planes step by quotient and remainder and are never rounded
+};
+
+/// "newton", "quadratic", "restoring2", "restoring4", "none".
+const char* reciprocal_scheme_name(ReciprocalScheme scheme);
+
 /// Parameters of one rasterizer. widths() derives every width from them; see widths.h.
 /// A plain aggregate: named designs are constexpr, others can be read from a file.
 struct Design {
@@ -21,10 +33,11 @@ struct Design {
   int attributes = 4;  // r, g, b, a
   int attribute_bits = 8;
 
-  // Reciprocal of the doubled area: a ROM of 2^lut_bits entries, then Newton steps
-  int reciprocal_lut_bits = 7;
-  int reciprocal_newton_steps = 2;
-  int reciprocal_bits = 30;  // k
+  // Reciprocal of the doubled area
+  ReciprocalScheme reciprocal_scheme = ReciprocalScheme::kNewton;
+  int reciprocal_lut_bits = 7;      // newton, quadratic
+  int reciprocal_newton_steps = 2;  // newton
+  int reciprocal_bits = 30;         // k
 
   // Planes
   int gradient_fraction_bits = 18;  // F: gradients, references, steps from tile to tile
@@ -53,5 +66,11 @@ const Design* find_design(const std::string& name);
 
 /// Empty if the design can be built, else the reason why not, in one line.
 std::string invalid_reason(const Design& design);
+
+/// Empty if this version can time the design, else what it lacks, in one line.
+std::string no_cycles_reason(const Design& design);
+
+/// Empty if this version has RTL of the design, else what it lacks, in one line.
+std::string no_rtl_reason(const Design& design);
 
 }  // namespace pineda::spec

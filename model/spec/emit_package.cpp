@@ -31,6 +31,10 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "emit_package: unknown design '{}'\n", argv[1]);
     return 2;
   }
+  if (const std::string reason = no_rtl_reason(*design); !reason.empty()) {
+    fmt::print(stderr, "emit_package: {}: {}\n", design->name, reason);
+    return 2;
+  }
   const Contract c = contract(*design);
   const std::string folder = argv[2];
   bool good = write(folder + "/pineda_pkg.sv", package_text(c));

@@ -177,6 +177,9 @@ uint64_t formats_hash(const Contract& c) {
       "S{} k{} lut{} newton{} F{} f{} tile{} stamp{}x{}\n", d.subpixel_bits, d.reciprocal_bits,
       d.reciprocal_lut_bits, d.reciprocal_newton_steps, d.gradient_fraction_bits,
       d.tile_fraction_bits, d.tile_log2, d.stamp_width_log2, d.stamp_height_log2);
+  if (d.reciprocal_scheme != ReciprocalScheme::kNewton) {
+    text += fmt::format("{}\n", reciprocal_scheme_name(d.reciprocal_scheme));
+  }
   for_each_struct(c, [&](const auto& table, const char* name) {
     text += fmt::format("{}\n", name);
     for (const auto& f : table) {

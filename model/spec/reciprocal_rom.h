@@ -1,7 +1,10 @@
 // What the reciprocal ROM holds.
 #pragma once
 
+#include <algorithm>
+
 #include "model/spec/design.h"
+#include "model/spec/fixed.h"
 
 namespace pineda::spec {
 
@@ -18,6 +21,39 @@ constexpr int64_t reciprocal_rom(const Design& d, int index) {
   const int64_t denominator = (int64_t{2} << l) + 1 + 2 * int64_t{index};
   const int64_t scaled = int64_t{1} << (2 * l + 3);
   return (2 * scaled + denominator) / (2 * denominator) - (int64_t{2} << l);
+}
+
+/// Fraction bits while a reciprocal is computed: two more than it has in the end.
+constexpr int reciprocal_working_bits(const Design& d) { return d.reciprocal_bits + 2; }
+
+/// Entry of the quadratic ROM, in units of 2^-(k+2): 1/(2m) = c0 - c1*t + c2*t^2 for
+/// m = (2^l + index + t) / 2^(l+1), 0 <= t < 1. Widths: c0 has k+1 bits after its leading 1, c1
+/// k+2-l bits, c2 k+2-2l bits.
+struct Parabola {
+  int64_t c0;
+  int64_t c1;
+  int64_t c2;
+};
+
+/// The parabola through 1/(2m) at t = 1/16, 1/2 and 15/16, its coefficients to the nearest. Before
+/// they are rounded its error is below 2^-3l / 31: a sixth of the third derivative is at most 2^-3l
+/// and |(t-1/16)(t-1/2)(t-15/16)| at most .0323; Chebyshev's three points would give .03125.
+constexpr Parabola reciprocal_parabola(const Design& d, int index) {
+  const int l = d.reciprocal_lut_bits;
+  const int bits = reciprocal_working_bits(d);
+  // With a = 2^l + index, f(t) = 2^l / (a + t), in sixteenths at the three points. Divided
+  // differences: f01 = -256*2^l / (p*q), f012 = 4096*2^l / (p*q*r).
+  const int128_t a16 = ((int64_t{1} << l) + index) * int128_t{16};
+  const int128_t p = a16 + 1;
+  const int128_t q = a16 + 8;
+  const int128_t r = a16 + 15;
+  const auto coefficient = [&](int128_t numerator) {
+    const int128_t denominator = p * q * r;
+    return static_cast<int64_t>(((numerator << (l + bits + 1)) + denominator) / (2 * denominator));
+  };
+  // In the first interval c0 is just below 1: it must not round up to it.
+  return {std::min(coefficient(16 * q * r + 16 * r + 128), (int64_t{1} << bits) - 1),
+          coefficient(256 * r + 2304), coefficient(4096)};
 }
 
 }  // namespace pineda::spec

@@ -21,6 +21,24 @@ inline constexpr int kTriangleIdBits = 32;
 inline constexpr int kMaxAttributes = 16;
 inline constexpr int kMaxLanes = 16;
 
+/// Cycles from the doubled area to its reciprocal: one to align, one to round, between them two a
+/// Newton step, a square and a sum, or the quotient's bits.
+constexpr int reciprocal_cycles(const Design& d) {
+  switch (d.reciprocal_scheme) {
+    case ReciprocalScheme::kNewton:
+      return 2 + 2 * d.reciprocal_newton_steps;
+    case ReciprocalScheme::kQuadratic:
+      return 4;
+    case ReciprocalScheme::kRestoring2:
+      return 2 + d.reciprocal_bits;
+    case ReciprocalScheme::kRestoring4:
+      return 2 + (d.reciprocal_bits + 1) / 2;
+    case ReciprocalScheme::kNone:
+      break;
+  }
+  return 0;
+}
+
 /// Widths in bits, unless the name says otherwise.
 struct Widths {
   int coord;         // x, y: sQ<guard>.<S> px
@@ -79,9 +97,8 @@ constexpr Widths widths(const Design& d) {
   // Full rate at the longest latency: request to response, and the cycles from the response to the
   // accepted write (compare, write) with room for the slot to be reused.
   w.inflight_stamps = d.max_depth_latency_cycles + 8;
-  // The first plane takes the reciprocal 3 cycles after its start; the reciprocal starts in step 5
-  // and takes 2 cycles and 2 more a Newton step.
-  w.setup_planes_step = 5 + 2 + 2 * d.reciprocal_newton_steps - 3;
+  // The first plane takes the reciprocal 3 cycles after its start; the reciprocal starts in step 5.
+  w.setup_planes_step = 5 + reciprocal_cycles(d) - 3;
   // The last plane reads the triangle's differences 5 cycles after its start, and the next triangle
   // writes them in its step 5; the steps themselves take 10 cycles.
   const int planes_done = w.setup_planes_step + d.attributes;

@@ -43,7 +43,9 @@ TEST(InvalidReason, NamesTheParameterThatIsOutOfRange) {
       {"attribute_bits", &Design::attribute_bits, 17},
       {"reciprocal_lut_bits", &Design::reciprocal_lut_bits, 3},
       {"reciprocal_newton_steps", &Design::reciprocal_newton_steps, 3},
-      {"reciprocal_bits", &Design::reciprocal_bits, 31},
+      {"reciprocal_newton_steps", &Design::reciprocal_newton_steps, -1},
+      {"reciprocal_bits", &Design::reciprocal_bits, 11},
+      {"reciprocal_bits", &Design::reciprocal_bits, 33},
       {"gradient_fraction_bits", &Design::gradient_fraction_bits, 21},
       {"tile_fraction_bits", &Design::tile_fraction_bits, 0},
       {"tile_fraction_bits", &Design::tile_fraction_bits, 19},  // more than the gradients'
@@ -70,6 +72,38 @@ TEST(InvalidReason, ReciprocalTooShortForTheGradientIsRefused) {
   EXPECT_NE(invalid_reason(design).find("reciprocal_bits"), std::string::npos);
   ++design.reciprocal_bits;
   EXPECT_EQ(invalid_reason(design), "");
+}
+
+TEST(InvalidReason, QuadraticWhoseSquareHasNoBitsIsRefused) {
+  Design design = kHighTile;
+  design.reciprocal_scheme = ReciprocalScheme::kQuadratic;
+  design.reciprocal_lut_bits = 12;
+  design.reciprocal_bits = 26;
+  EXPECT_EQ(invalid_reason(design), "");
+  design.gradient_fraction_bits = design.tile_fraction_bits = 12;
+  design.reciprocal_bits = 23;
+  EXPECT_NE(invalid_reason(design).find("quadratic"), std::string::npos);
+}
+
+// What a scheme does not have is not looked at.
+TEST(InvalidReason, ParametersThatASchemeDoesNotUseMayBeZero) {
+  Design design = kHighTile;
+  design.reciprocal_lut_bits = design.reciprocal_newton_steps = 0;
+  EXPECT_NE(invalid_reason(design), "");
+  design.reciprocal_scheme = ReciprocalScheme::kRestoring4;
+  EXPECT_EQ(invalid_reason(design), "");
+  design.reciprocal_bits = 0;
+  EXPECT_NE(invalid_reason(design), "");
+  design.reciprocal_scheme = ReciprocalScheme::kNone;
+  EXPECT_EQ(invalid_reason(design), "");
+}
+
+TEST(NoRtlReason, SaysWhatOnlyTheFunctionalModelHas) {
+  EXPECT_EQ(no_rtl_reason(kHighTile), "");
+  EXPECT_EQ(no_cycles_reason(*find_design("div28")), "");
+  EXPECT_NE(no_rtl_reason(*find_design("div28")), "");
+  EXPECT_NE(no_cycles_reason(*find_design("exact")), "");
+  EXPECT_EQ(no_rtl_reason(*find_design("exact")), no_cycles_reason(*find_design("exact")));
 }
 
 struct WidthRow {

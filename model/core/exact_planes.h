@@ -1,0 +1,44 @@
+// Planes that are never rounded: what a design without a reciprocal interpolates with.
+#pragma once
+
+#include "model/spec/structs.h"
+
+namespace pineda::core {
+
+/// The planes of one triangle as quotients and remainders of its doubled area.
+///
+/// Bits     the definition for reciprocal_scheme = kNone: each code is the exact value of the
+///          plane through the snapped vertices, rounded once, half up.
+/// In       a triangle whose doubled area is not 0.
+/// Errors   |z - exact| <= 1/2 code, |attribute - exact| <= 1/2 LSB.
+/// Twin     none: functional model alone.
+class ExactPlanes {
+ public:
+  ExactPlanes(const spec::Contract& contract, const spec::Triangle& triangle);
+
+  /// As core::interpolate().
+  void interpolate(const spec::Contract& contract, const spec::Stamp& stamp,
+                   spec::Fragment* fragment) const;
+
+ private:
+  // quotient + remainder/denominator a step; 0 <= remainder < denominator. Quotients wrap modulo
+  // 2^64: where the triangle covers a sample their sum is a code.
+  struct Step {
+    uint64_t quotient;
+    int64_t remainder;
+  };
+  struct Plane {
+    Step dx, dy, ref;  // a px to the right, a px down; the value at the sample of pixel (0, 0)
+    int64_t denominator;
+  };
+  static Step divide(spec::int128_t numerator, int64_t denominator);
+  static int64_t nearest(const Plane& plane, int x, int y);
+  Plane plane(const spec::Contract& contract, const spec::Triangle& triangle,
+              const std::array<int64_t, 3>& value, int fraction_bits) const;
+
+  int64_t area2_;  // positive when clockwise
+  Plane z_;
+  std::array<Plane, spec::kMaxAttributes> attr_;
+};
+
+}  // namespace pineda::core
