@@ -113,7 +113,9 @@ spec::Contract timed_contract_of(const Options& options) {
   return with(spec::no_cycles_reason, options);
 }
 
-spec::Contract rtl_contract_of(const Options& options) { return with(spec::no_rtl_reason, options); }
+spec::Contract rtl_contract_of(const Options& options) {
+  return with(spec::no_rtl_reason, options);
+}
 
 scene::Scene open(const Options& o, const spec::Contract& contract, bool multi_pass) {
   scene::Options options;

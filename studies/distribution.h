@@ -18,7 +18,8 @@ class Distribution {
   uint64_t count() const { return count_; }
   double max() const { return max_; }
   double rms() const;
-  /// The least bin edge that the share `q` of all values does not exceed, at most max(); 0 < q <= 1.
+  /// The least bin edge that the share `q` of all values does not exceed, at most max(); 0 < q
+  /// <= 1.
   double quantile(double q) const;
   /// Share of the values, 0 to 1.
   double misrounded() const;

@@ -42,10 +42,10 @@ struct Subject {
   bool is_design = false;
   bool judged_by_frame = false;  // painter: the visible samples of its finished frame only
 
-  uint64_t missing = 0;  // exact covers, it does not
-  uint64_t extra = 0;    // it covers, exact does not; a second time counts too
-  Distribution depth;    // ulp
-  Distribution color;    // LSB, four values a sample
+  uint64_t missing = 0;                     // exact covers, it does not
+  uint64_t extra = 0;                       // it covers, exact does not; a second time counts too
+  Distribution depth;                       // ulp
+  Distribution color;                       // LSB, four values a sample
   std::optional<spec::ErrorBounds> bounds;  // what a design promises
   ErrorMap map;                             // empty unless asked for
 

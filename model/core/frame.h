@@ -64,6 +64,54 @@ struct TileRows {
   int last = 1 << 16;  // more than any frame has
 };
 
+/// One triangle through setup, traversal and interpolation, or the part of it in some rows of
+/// tiles: no memories, no depth test. Counts all but `passed`, and hands over each token in order:
+/// sink.prim(SetupPrim), then for each stamp sink.stamp(Stamp), sink.fragment(Stamp, Fragment).
+template <class Sink>
+Drop draw_triangle(const spec::Contract& contract, const spec::FrameState& frame, TileRows rows,
+                   const spec::Triangle& triangle, FrameCounters* counters, Sink&& sink) {
+  spec::SetupPrim prim;
+  const Drop drop = setup(contract, frame, triangle, &prim);
+  ++counters->triangles;
+  ++counters->dropped[static_cast<size_t>(drop)];
+  if (drop != Drop::kNone) return drop;
+  if (!clip_rows(contract, rows.first, rows.last, &prim)) return drop;
+  sink.prim(prim);
+  std::optional<ExactPlanes> exact;
+  if (contract.design.reciprocal_scheme == spec::ReciprocalScheme::kNone) {
+    exact.emplace(contract, triangle);
+  }
+
+  TileWalk tiles(contract, prim);
+  Tile tile;
+  spec::Stamp stamp;
+  spec::Fragment fragment;
+  for (TileWalk::Test test; (test = tiles.next(&tile)) != TileWalk::Test::kEnd;) {
+    ++counters->tiles_tested;
+    if (test == TileWalk::Test::kRejected) {
+      ++counters->tiles_rejected;
+      continue;
+    }
+    counters->tiles_accepted += tile.accepted == 7 ? 1 : 0;
+    stamp.id = tile.id;
+    stamp.planes = tile.planes;
+    StampWalk stamps(contract, tile);
+    while (stamps.next(&stamp.mask, &stamp.x, &stamp.y)) {
+      if (stamp.mask == 0) continue;
+      ++counters->stamps;
+      counters->fragments += static_cast<uint64_t>(__builtin_popcount(stamp.mask));
+      sink.stamp(stamp);
+      if (exact) {
+        exact->interpolate(contract, stamp, &fragment);
+      } else {
+        interpolate(contract, stamp, &fragment);
+      }
+      sink.fragment(stamp, fragment);
+    }
+  }
+  return drop;
+}
+
 /// Draws triangles one by one, or the part of them that lies in some rows of tiles. With a Sink,
 /// hands over each token at each unit boundary in order: sink.prim(SetupPrim), sink.stamp(Stamp),
 /// sink.depth(DepthWrite), sink.color(ColorWrite); and inside the last unit, before the depth test,
@@ -89,62 +137,36 @@ class Renderer {
 
  private:
   template <class Sink>
-  void draw_stamp(const spec::Stamp& stamp, Sink&& sink);
+  void test_and_write(const spec::Stamp& stamp, const spec::Fragment& fragment, Sink&& sink);
 
   spec::Contract contract_;
   spec::FrameState frame_;
   TileRows rows_;
   FrameBuffer buffer_;
   FrameCounters counters_;
-  std::optional<ExactPlanes> exact_;  // of the triangle being drawn, in a design without reciprocal
 };
 
 template <class Sink>
 Drop Renderer::draw(const spec::Triangle& triangle, Sink&& sink) {
-  spec::SetupPrim prim;
-  const Drop drop = setup(contract_, frame_, triangle, &prim);
-  ++counters_.triangles;
-  ++counters_.dropped[static_cast<size_t>(drop)];
-  if (drop != Drop::kNone) return drop;
-  if (!clip_rows(contract_, rows_.first, rows_.last, &prim)) return drop;
-  sink.prim(prim);
-  if (contract_.design.reciprocal_scheme == spec::ReciprocalScheme::kNone) {
-    exact_.emplace(contract_, triangle);
-  }
-
-  TileWalk tiles(contract_, prim);
-  Tile tile;
-  spec::Stamp stamp;
-  for (TileWalk::Test test; (test = tiles.next(&tile)) != TileWalk::Test::kEnd;) {
-    ++counters_.tiles_tested;
-    if (test == TileWalk::Test::kRejected) {
-      ++counters_.tiles_rejected;
-      continue;
+  struct Writer {
+    Renderer& to;
+    Sink& sink;
+    void prim(const spec::SetupPrim& prim) { sink.prim(prim); }
+    void stamp(const spec::Stamp& stamp) {
+      sink.stamp(stamp);
+      to.buffer_.count_hits(to.contract_, stamp);
     }
-    counters_.tiles_accepted += tile.accepted == 7 ? 1 : 0;
-    stamp.id = tile.id;
-    stamp.planes = tile.planes;
-    StampWalk stamps(contract_, tile);
-    while (stamps.next(&stamp.mask, &stamp.x, &stamp.y)) {
-      if (stamp.mask != 0) draw_stamp(stamp, sink);
+    void fragment(const spec::Stamp& stamp, const spec::Fragment& fragment) {
+      sink.fragment(stamp, fragment);
+      to.test_and_write(stamp, fragment, sink);
     }
-  }
-  return drop;
+  };
+  return draw_triangle(contract_, frame_, rows_, triangle, &counters_, Writer{*this, sink});
 }
 
 template <class Sink>
-void Renderer::draw_stamp(const spec::Stamp& stamp, Sink&& sink) {
-  sink.stamp(stamp);
-  buffer_.count_hits(contract_, stamp);
-  ++counters_.stamps;
-  counters_.fragments += static_cast<uint64_t>(__builtin_popcount(stamp.mask));
-  spec::Fragment fragment;
-  if (exact_) {
-    exact_->interpolate(contract_, stamp, &fragment);
-  } else {
-    interpolate(contract_, stamp, &fragment);
-  }
-  sink.fragment(stamp, fragment);
+void Renderer::test_and_write(const spec::Stamp& stamp, const spec::Fragment& fragment,
+                              Sink&& sink) {
   uint32_t passed = stamp.mask;
   const bool test = frame_.depth != spec::DepthFunc::kOff;
   if (test) {

@@ -1,4 +1,5 @@
-// What a design promises of its values, from its own parameters. docs/accuracy.md has the derivation.
+// What a design promises of its values, from its own parameters. docs/accuracy.md has the
+// derivation.
 #pragma once
 
 #include <algorithm>

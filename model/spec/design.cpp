@@ -30,8 +30,8 @@ constexpr Design div28() {
 }
 
 constexpr Design exact() {
-  Design d = point("exact", "quotient and remainder planes: every code is the nearest one", 0, 0, 0,
-                   0);
+  Design d =
+      point("exact", "quotient and remainder planes: every code is the nearest one", 0, 0, 0, 0);
   d.reciprocal_scheme = ReciprocalScheme::kNone;
   return d;
 }

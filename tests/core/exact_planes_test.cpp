@@ -40,7 +40,7 @@ TEST(ExactPlanes, EveryCodeIsTheNearest) {
   int64_t samples = 0;
   double worst = 0;
   for (int n = 0; n < 1500; ++n) {
-    constexpr Shape kShapes[] = {Shape::k16Px,      Shape::k256Px, Shape::k8192Px,
+    constexpr Shape kShapes[] = {Shape::k16Px,      Shape::k256Px,  Shape::k8192Px,
                                  Shape::kGuardBand, Shape::kNeedle, Shape::kSliver};
     // The huge frame is never allocated: those shapes are moved into the window.
     spec::Triangle t = random_triangle(random, kShapes[n % 6]);
@@ -74,8 +74,8 @@ TEST(ExactPlanes, EveryCodeIsTheNearest) {
 
 // Halfway between 0 and 1 at every sample of the middle column: up.
 TEST(ExactPlanes, HalvesRoundUpByHand) {
-  spec::Triangle t = triangle({-kHalfPx, -kHalfPx}, {kPx + kHalfPx, -kHalfPx},
-                              {-kHalfPx, 8 * kPx + kHalfPx});
+  spec::Triangle t =
+      triangle({-kHalfPx, -kHalfPx}, {kPx + kHalfPx, -kHalfPx}, {-kHalfPx, 8 * kPx + kHalfPx});
   // z = (x + 1/2) / 2 codes: 1/2 at the centre of pixel 0.
   t.v[1].z = 256;
   core::Renderer renderer(kExact, kWindow);
