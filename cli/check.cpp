@@ -190,8 +190,7 @@ int run(const CheckOptions& options) {
   result.bounds = spec::error_bounds(contract.design);
   core::Renderer reference(contract, scene.frame);
   result.seconds = seconds_of([&] {
-    ChunkedTriangles triangles(scene.source.get(), &progress, "exact judge");
-    result.judgement = judge([&](spec::Triangle* t) { return triangles.next(t); }, &reference);
+    result.judgement = judge(scene.source.get(), &reference, &progress);
     result.counters = reference.counters();
     result.model = check_model(scene, contract, bench, reference.buffer(), &progress);
     result.rtl = check_rtl(scene, library, bench, reference.buffer(), &progress);

@@ -3,19 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/exact/exact.h"
+#include "studies/truth.h"
 
 namespace pineda::cli {
 namespace {
-
-exact::Triangle exact_triangle(const spec::Triangle& triangle, int attributes) {
-  exact::Triangle result;
-  for (size_t i = 0; i < 3; ++i) {
-    const spec::Vertex& v = triangle.v[i];
-    result[i] = {v.x, v.y, v.z, {v.attr.begin(), v.attr.begin() + attributes}};
-  }
-  return result;
-}
 
 /// Sees the stamps of one triangle.
 struct JudgeSink {
@@ -57,17 +48,25 @@ struct JudgeSink {
 
 }  // namespace
 
-Judgement judge(const std::function<bool(spec::Triangle*)>& next, core::Renderer* renderer) {
+exact::ScreenTriangle stated(const scene::ScreenTriangle& triangle) {
+  exact::ScreenTriangle result;
+  for (size_t i = 0; i < 3; ++i) {
+    const scene::ScreenVertex& v = triangle.v[i];
+    result[i] = {v.x, v.y, v.z, v.w, {v.rgba[0], v.rgba[1], v.rgba[2], v.rgba[3]}};
+  }
+  return result;
+}
+
+Judgement judge(scene::SnappedSource* source, core::Renderer* renderer, Progress* progress) {
   const spec::Contract& contract = renderer->contract();
-  const spec::FrameState& frame = renderer->frame();
-  static constexpr exact::Cull kCull[] = {exact::Cull::kNone, exact::Cull::kBack,
-                                          exact::Cull::kFront};
+  const auto format = studies::format_of(contract.design);
+  const auto frame = studies::exact_frame(renderer->frame());
   Judgement judgement;
   spec::Triangle triangle;
-  while (next(&triangle)) {
-    const exact::Judge exact(exact_triangle(triangle, contract.design.attributes),
-                             contract.design.subpixel_bits, frame.width, frame.height,
-                             kCull[static_cast<int>(frame.cull)]);
+  while (source->next(&triangle)) {
+    progress->update("exact judge", triangle.id);
+    const exact::ScreenJudge screen(stated(source->screen()), format, frame);
+    const exact::Judge& exact = screen.snapped();
     JudgeSink sink{contract, exact, &judgement};
     renderer->draw(triangle, sink);
     judgement.missing += static_cast<uint64_t>(exact.samples()) - sink.right;

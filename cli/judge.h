@@ -1,14 +1,17 @@
 // The functional model's samples before the exact judge.
 #pragma once
 
-#include <functional>
-
+#include "cli/output.h"
 #include "model/core/frame.h"
+#include "model/exact/exact.h"
 
 namespace pineda::cli {
 
-/// What exact arithmetic says of a frame: every covered sample of every triangle, hidden ones too.
-/// Depth and colour are judged against the snapped vertices.
+/// A triangle as the scene states it, for the judge.
+exact::ScreenTriangle stated(const scene::ScreenTriangle& triangle);
+
+/// What exact arithmetic says of a frame: every covered sample of every triangle, hidden ones too,
+/// from the floats of the scene on. Colour is judged as affine interpolation.
 struct Judgement {
   uint64_t samples = 0;  // judged
   uint64_t missing = 0;  // exact covers, the model does not
@@ -17,7 +20,7 @@ struct Judgement {
   double max_color_lsb = 0;
 };
 
-/// Draws all triangles on `renderer` and judges them.
-Judgement judge(const std::function<bool(spec::Triangle*)>& next, core::Renderer* renderer);
+/// Draws all triangles of the scene on `renderer` and judges them, in bounded memory.
+Judgement judge(scene::SnappedSource* source, core::Renderer* renderer, Progress* progress);
 
 }  // namespace pineda::cli

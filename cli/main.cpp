@@ -31,6 +31,8 @@ int run(int argc, char** argv) {
   cli::add_render(&program, &exit_code);
   cli::add_time(&program, &exit_code);
   cli::add_rtl(&program, &exit_code);
+  cli::add_error(&program, &exit_code);
+  cli::add_study(&program, &exit_code);
   cli::add_walk(&program, &exit_code);
   cli::add_designs(&program, &exit_code);
   try {

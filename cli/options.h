@@ -67,6 +67,8 @@ void add_check(CLI::App* program, int* exit_code);
 void add_render(CLI::App* program, int* exit_code);
 void add_time(CLI::App* program, int* exit_code);
 void add_rtl(CLI::App* program, int* exit_code);
+void add_study(CLI::App* program, int* exit_code);
+void add_error(CLI::App* program, int* exit_code);
 void add_designs(CLI::App* program, int* exit_code);
 void add_walk(CLI::App* program, int* exit_code);
 

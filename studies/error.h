@@ -23,8 +23,8 @@ struct SceneTriangle {
 /// What a scene may have at most, so that time and memory stay bounded: some minutes, 2 GB.
 struct ErrorLimits {
   int64_t pixels = int64_t{1} << 22;     // of the frame
-  int64_t triangles = int64_t{1} << 21;  // drawn
-  int64_t samples = int64_t{1} << 27;    // covered, hidden ones included
+  int64_t triangles = int64_t{1} << 20;  // that are not dropped
+  int64_t samples = int64_t{1} << 26;    // covered, hidden ones included
 };
 
 /// The largest errors of each pixel, row-major, over all triangles that cover it.
@@ -49,7 +49,7 @@ struct Subject {
   std::optional<spec::ErrorBounds> bounds;  // what a design promises
   ErrorMap map;                             // empty unless asked for
 
-  double seconds = 0;             // of a frame in memory, median
+  double seconds = 0;             // of a frame in memory, median of ErrorStudy::runs
   std::optional<double> cycles;   // of the whole frame: the cycle model's
   std::optional<double> visited;  // baselines: pixels their loops look at; cycles at one a clock
 
@@ -61,11 +61,31 @@ struct ErrorStudy {
   int height = 0;
   uint64_t triangles = 0;  // judged
   uint64_t samples = 0;    // covered by exact arithmetic, hidden ones included
+  int runs = 0;            // timed, of every subject in turn
   /// Largest distance of affine from perspective-correct colours, LSB; 0 where all w are equal.
   double affine_lsb = 0;
   std::vector<Subject> subjects;  // designs first, in their order
 
   bool holds() const;  // no design misses a sample or its bounds
 };
+
+struct ErrorOptions {
+  std::vector<spec::Design> designs;  // of the same formats at their input
+  bool baselines = true;
+  bool maps = false;
+  /// Called now and then with what is being done and how much of it; may be empty.
+  std::function<void(const char* what, uint64_t done)> progress;
+};
+
+/// Samples that exact arithmetic covers, hidden ones included; stops counting beyond `limit`.
+int64_t count_samples(const std::vector<SceneTriangle>& triangles, const spec::FrameState& frame,
+                      const spec::Design& design, int64_t limit);
+
+/// Judges and times everything but the designs' cycles, which it leaves empty.
+///
+/// In       triangles in the order of the scene, within the limits.
+/// Errors   std::invalid_argument for designs whose formats differ.
+ErrorStudy study_errors(const std::vector<SceneTriangle>& triangles, const spec::FrameState& frame,
+                        const ErrorOptions& options);
 
 }  // namespace pineda::studies

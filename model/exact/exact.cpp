@@ -55,19 +55,13 @@ void check_vertex(const Vertex& v) {
 }
 
 // `measured` minus the weighted mean of three values that carry `fraction_bits`.
-double difference(const Triangle& t, int64_t area2, int64_t x, int64_t y,
+double difference(const std::array<int64_t, 3>& weights, int64_t area2,
                   const std::array<int64_t, 3>& value, int fraction_bits, int64_t measured) {
   if (measured < -(kMaxValue >> 8) || measured > kMaxValue >> 8) {
     throw std::out_of_range("exact: a code must lie within 2^52");
   }
   Int128 weighted = 0;
-  for (size_t i = 0; i < 3; ++i) {
-    const Vertex& from = t[(i + 1) % 3];
-    const Vertex& to = t[(i + 2) % 3];
-    const int64_t weight = cross(from, to.x, to.y, x, y);  // of the vertex opposite to this edge
-    if (weight < 0) throw std::domain_error("exact: the sample is not covered");
-    weighted += Int128{weight} * value[i];
-  }
+  for (size_t i = 0; i < 3; ++i) weighted += Int128{weights[i]} * value[i];
   const Int128 denominator = Int128{area2} << fraction_bits;
   const Int128 numerator = Int128{measured} * denominator - weighted;
   return static_cast<double>(static_cast<long double>(numerator) /
@@ -86,7 +80,6 @@ Judge::Judge(Triangle triangle, int subpixel_bits, int width, int height, Cull c
   // Counter-clockwise on screen is front; a triangle without area is drawn by nobody.
   culled_ =
       area2_ == 0 || (cull == Cull::kFront && area2_ < 0) || (cull == Cull::kBack && area2_ > 0);
-  if (area2_ < 0) std::swap(v_[1], v_[2]);
 }
 
 int64_t Judge::doubled_area() const { return area2_; }
@@ -138,14 +131,25 @@ int64_t Judge::samples() const {
   return count;
 }
 
+std::array<int64_t, 3> Judge::weights(int x, int y) const {
+  std::array<int64_t, 3> weights{};
+  for (size_t i = 0; i < 3; ++i) {
+    const Vertex& to = v_[(i + 2) % 3];
+    const int64_t area2 =
+        cross(v_[(i + 1) % 3], to.x, to.y, centre(x, subpixel_bits_), centre(y, subpixel_bits_));
+    weights[i] = area2_ < 0 ? -area2 : area2;
+    if (weights[i] < 0) throw std::domain_error("exact: the sample is not covered");
+  }
+  return weights;
+}
+
 double Judge::depth_error(int x, int y, int64_t code) const {
-  return difference(v_, std::abs(area2_), centre(x, subpixel_bits_), centre(y, subpixel_bits_),
-                    {v_[0].z, v_[1].z, v_[2].z}, 8, code);
+  return difference(weights(x, y), std::abs(area2_), {v_[0].z, v_[1].z, v_[2].z}, 8, code);
 }
 
 double Judge::attribute_error(int x, int y, int attribute, int64_t value) const {
   const auto a = static_cast<size_t>(attribute);
-  return difference(v_, std::abs(area2_), centre(x, subpixel_bits_), centre(y, subpixel_bits_),
+  return difference(weights(x, y), std::abs(area2_),
                     {v_[0].attr.at(a), v_[1].attr.at(a), v_[2].attr.at(a)}, 0, value);
 }
 

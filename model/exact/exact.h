@@ -1,8 +1,10 @@
-// The judge: coverage, depth and attributes of a triangle in exact integers and rationals.
+// The judge: coverage, depth and attributes of a triangle in exact integers and rationals, from its
+// snapped vertices (Judge) or from the floats of a scene on (ScreenJudge).
 // A third opinion, written apart: it includes nothing of the rest of the project.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +36,8 @@ class Judge {
  public:
   Judge(Triangle triangle, int subpixel_bits, int width, int height, Cull cull);
 
+  /// The triangle as it was given.
+  const Triangle& vertices() const { return v_; }
   /// Doubled area in units of 2^-2S px^2, positive when clockwise on screen.
   int64_t doubled_area() const;
   /// Nothing is drawn: zero area, or culled by facing.
@@ -46,6 +50,10 @@ class Judge {
   Span rows() const;
   /// Covered samples of the frame.
   int64_t samples() const;
+  /// Barycentric weights of the sample of (x, y), in units of 2^-2S px^2: the doubled area that it
+  /// spans with the edge opposite to each vertex, in the order given. None is negative and they sum
+  /// to |doubled_area()|. The sample must be covered.
+  std::array<int64_t, 3> weights(int x, int y) const;
 
   /// `code` minus the exact depth at the sample of (x, y), in codes. The sample must be covered.
   double depth_error(int x, int y, int64_t code) const;
@@ -53,12 +61,100 @@ class Judge {
   double attribute_error(int x, int y, int attribute, int64_t value) const;
 
  private:
-  Triangle v_;  // clockwise on screen
+  Triangle v_;
   int subpixel_bits_;
   int width_;
   int height_;
   int64_t area2_;
   bool culled_;
+};
+
+/// A vertex as a scene states it: x, y in px, y down; z in [0, 1]; w the clip-space w; straight
+/// colour of 8 bits a component.
+struct ScreenVertex {
+  float x = 0;
+  float y = 0;
+  float z = 0;
+  float w = 1;
+  std::array<int, 4> rgba{};
+};
+using ScreenTriangle = std::array<ScreenVertex, 3>;
+
+/// The formats that a triangle is snapped to.
+struct Format {
+  int subpixel_bits = 8;   // 1 to 12
+  int guard_bits = 14;     // up to 26 together with subpixel_bits
+  int depth_bits = 24;     // up to 32
+  int attributes = 4;      // up to 16: r, g, b, a; those after the fourth are 0 everywhere
+  int attribute_bits = 8;  // up to 16
+};
+
+struct Frame {
+  int width = 0;
+  int height = 0;
+  Cull cull = Cull::kNone;
+};
+
+/// An exact value v >= 0 in codes: whole = floor(v) and nearest = floor(v + 1/2) are exact,
+/// fraction is v - whole to within 2^-53 and lies in [0, 1).
+struct Value {
+  int64_t whole = 0;
+  double fraction = 0;
+  int64_t nearest = 0;
+
+  /// code - v, to within 2^-53 and the rounding of the result.
+  double error_of(int64_t code) const;
+  /// value * 2^-fraction_bits - v, for values before their final rounding: 0 to 52 bits.
+  double error_of(int64_t value, int fraction_bits) const;
+};
+
+/// A covered sample: depth, and the attributes r, g, b, a interpolated linearly on the screen and
+/// with perspective correction. Those that the format leaves out are 0.
+struct Sample {
+  int x = 0;
+  int y = 0;
+  Value z;
+  std::array<Value, 4> affine;
+  std::array<Value, 4> perspective;
+};
+
+/// One triangle from its floats on: snapped by the rules, then judged row by row.
+///
+/// Bits     x, y by snap(), z by depth_input(), a colour c as c*(2^attribute_bits - 1)/255 to the
+///          nearest. Values are interpolated between these snapped values at snapped positions; z
+///          linearly on the screen; with perspective a = sum(E_i a_i/w_i) / sum(E_i/w_i), where w
+///          is the binary32 w taken exactly and E_i is weights().
+/// Errors   std::out_of_range: a format beyond its range, a colour beyond 8 bits, w not a positive
+///          normal float.
+/// Drops    a NaN in x, y, z or w of any vertex drops the triangle.
+class ScreenJudge {
+ public:
+  ScreenJudge(const ScreenTriangle& triangle, const Format& format, const Frame& frame);
+
+  /// A component is NaN: no samples.
+  bool dropped() const { return dropped_; }
+  /// Nothing is drawn: dropped, zero area after snapping, or culled by facing.
+  bool culled() const { return snapped_.culled(); }
+  /// All w are equal, so that perspective and affine values are the same.
+  bool affine() const { return affine_; }
+  /// The judge of the snapped triangle; of one without area when dropped.
+  const Judge& snapped() const { return snapped_; }
+  /// As those of Judge.
+  Span rows() const { return snapped_.rows(); }
+  Span span(int y) const { return snapped_.span(y); }
+
+  /// Appends the covered samples of a row, left to right. Without perspective that part stays 0.
+  void row(int y, bool with_perspective, std::vector<Sample>* out) const;
+
+ private:
+  Judge snapped_;
+  bool dropped_;
+  bool affine_ = true;
+  size_t attributes_;  // of those that a Sample has
+  // E_i/w_i is proportional to E_i * product_[i] * 2^shift_[i].
+  std::array<int64_t, 3> product_{};
+  std::array<int, 3> shift_{};
+  bool narrow_ = true;  // the sums with perspective fit into 128 bits
 };
 
 /// The snapped coordinate of a float in px: to the nearest multiple of 2^-subpixel_bits, halves to

@@ -12,7 +12,6 @@
 #include "model/scene/mesh_reader.h"
 #include "model/scene/obj_reader.h"
 #include "model/scene/ptrb_reader.h"
-#include "model/scene/snap.h"
 #include "model/scene/tri_reader.h"
 
 namespace pineda::scene {

@@ -9,7 +9,7 @@
 
 #include "model/scene/camera.h"
 #include "model/scene/error.h"
-#include "model/scene/source.h"
+#include "model/scene/snap.h"
 
 namespace pineda::scene {
 
@@ -34,7 +34,7 @@ struct Options {
 struct Scene {
   std::string name;
   spec::FrameState frame;
-  std::unique_ptr<TriangleSource> source;
+  std::unique_ptr<SnappedSource> source;
   std::vector<std::string> warnings;  // found while opening, one line each
 };
 

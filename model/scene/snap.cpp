@@ -66,14 +66,13 @@ spec::Vertex SnappedSource::snap(const ScreenVertex& vertex) {
 }
 
 bool SnappedSource::next(spec::Triangle* triangle) {
-  ScreenTriangle screen;
-  while (reader_->read(&screen, &counters_)) {
-    if (has_nan(screen)) {
+  while (reader_->read(&screen_, &counters_)) {
+    if (has_nan(screen_)) {
       ++counters_.nan_dropped;
       continue;
     }
-    triangle->id = screen.id;
-    for (size_t i = 0; i < 3; ++i) triangle->v[i] = snap(screen.v[i]);
+    triangle->id = screen_.id;
+    for (size_t i = 0; i < 3; ++i) triangle->v[i] = snap(screen_.v[i]);
     return true;
   }
   return false;

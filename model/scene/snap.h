@@ -34,11 +34,15 @@ class SnappedSource final : public TriangleSource {
   bool next(spec::Triangle* triangle) override;
   void rewind() override;
 
+  /// The floats that the last triangle was snapped from.
+  const ScreenTriangle& screen() const { return screen_; }
+
  private:
   spec::Vertex snap(const ScreenVertex& vertex);
 
   spec::Contract contract_;
   std::unique_ptr<ScreenReader> reader_;
+  ScreenTriangle screen_;
 };
 
 }  // namespace pineda::scene

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 
 #include "model/scene/error.h"
 
@@ -66,12 +67,12 @@ void write_through(const std::string& path, std::string_view bytes) {
   if (std::fclose(file) != 0 || !written) fail_to_write(path);
 }
 
-void write_png(const std::string& path, const Frame& frame, png_uint_32 format,
+void write_png(const std::string& path, int width, int height, png_uint_32 format,
                const std::vector<uint8_t>& pixels) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(frame.width);
-  image.height = static_cast<png_uint_32>(frame.height);
+  image.width = static_cast<png_uint_32>(width);
+  image.height = static_cast<png_uint_32>(height);
   image.format = format;
   std::string bytes;
   png_alloc_size_t size = 0;
@@ -146,8 +147,17 @@ void write_file(const std::string& path, std::string_view bytes) {
   file.commit();
 }
 
+void write_rgb_png(const std::string& path, int width, int height,
+                   const std::vector<uint8_t>& rgb) {
+  if (rgb.size() != 3 * static_cast<size_t>(width) * static_cast<size_t>(height)) {
+    throw std::invalid_argument(
+        fmt::format("write_rgb_png: {} bytes for {} x {} pixels", rgb.size(), width, height));
+  }
+  write_png(path, width, height, PNG_FORMAT_RGB, rgb);
+}
+
 void write_color_png(const std::string& path, const Frame& frame) {
-  write_png(path, frame, PNG_FORMAT_RGB, channels(frame, 3));
+  write_rgb_png(path, frame.width, frame.height, channels(frame, 3));
 }
 
 void write_depth_png(const std::string& path, const Frame& frame) {
@@ -166,7 +176,7 @@ void write_depth_png(const std::string& path, const Frame& frame) {
     grey.push_back(code == frame.clear_depth ? uint8_t{0}
                                              : static_cast<uint8_t>(kNearestGrey - dark / range));
   }
-  write_png(path, frame, PNG_FORMAT_GRAY, grey);
+  write_png(path, frame.width, frame.height, PNG_FORMAT_GRAY, grey);
 }
 
 void write_dump(const std::string& folder, const Frame& frame) {

@@ -26,6 +26,10 @@ struct Frame {
 ///          file of that name stays as it was.
 void write_file(const std::string& path, std::string_view bytes);
 
+/// 8-bit red, green and blue of each pixel, row-major, top row first.
+/// Errors   std::invalid_argument: `rgb` is not of that size.
+void write_rgb_png(const std::string& path, int width, int height, const std::vector<uint8_t>& rgb);
+
 /// 8-bit RGB; what nothing was drawn on is black. Channels that the design lacks are 0, and alpha,
 /// which is an attribute like the others and blends nothing, is left out.
 void write_color_png(const std::string& path, const Frame& frame);

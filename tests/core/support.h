@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "model/core/setup.h"
 #include "model/core/traversal.h"
 #include "model/exact/exact.h"
+#include "studies/random_triangles.h"
 
 namespace pineda::test {
 
@@ -26,50 +26,15 @@ inline constexpr spec::FrameState kHugeFrame{16384, 16384, spec::Cull::kNone,
 /// A small frame whose borders cut tiles and stamps, for triangles far greater than it.
 inline constexpr spec::FrameState kWindow{67, 45, spec::Cull::kNone, spec::DepthFunc::kLess};
 
-/// Draws numbers; the same ones on every platform.
-class Random {
- public:
-  explicit Random(uint64_t seed) : engine_(seed) {}
-  int64_t in(int64_t low, int64_t high) {  // both inclusive
-    return low + static_cast<int64_t>(engine_() % static_cast<uint64_t>(high - low + 1));
-  }
-  int coordinate(int64_t low, int64_t high) { return static_cast<int>(in(low, high)); }
-  double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }  // [0, 1)
-
- private:
-  std::mt19937_64 engine_;
-};
-
-/// A position in subpixels.
-struct Point {
-  int x;
-  int y;
-};
-
-/// A triangle whose values are all 0.
-spec::Triangle triangle(Point a, Point b, Point c);
-
-/// Gives each vertex a depth and colours: each at an extreme or anywhere, at random.
-void randomize_values(Random& random, spec::Triangle* t);
-
-/// Classes of random triangles.
-enum class Shape {
-  k16Px,       // anywhere in the huge frame and over its borders
-  k256Px,      // around the window
-  k8192Px,     // an edge crosses the window
-  kGuardBand,  // the same, corners anywhere in the guard band
-  kNeedle,     // the same, 100-8000 px long, 1/16-2 px wide
-  kSliver,     // doubled area of 1 to 4 units, a vertex on a pixel centre
-};
-spec::FrameState frame_of(Shape shape);
-spec::Triangle random_triangle(Random& random, Shape shape);
-
-/// d and w with cross(d, w) = 1, d of at most `reach` subpixels a side.
-struct Lattice {
-  Point d;
-  Point w;
-};
-Lattice unit_lattice(Random& random, int reach);
+using studies::frame_of;
+using studies::Lattice;
+using studies::Point;
+using studies::Random;
+using studies::random_triangle;
+using studies::randomize_values;
+using studies::Shape;
+using studies::triangle;
+using studies::unit_lattice;
 
 exact::Judge judge(const spec::FrameState& frame, const spec::Triangle& t);
 

@@ -1,0 +1,227 @@
+// pineda error: each design point and each baseline against exact arithmetic, and what it costs.
+#include "studies/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "cli/judge.h"
+#include "model/scene/writers.h"
+#include "studies/error_page.h"
+#include "studies/error_pictures.h"
+#include "studies/error_table.h"
+#include "studies/model_cycles.h"
+
+namespace pineda::cli {
+namespace {
+
+struct ErrorOptions : Options {
+  std::string out;
+  uint64_t every = 1;
+  bool all_designs = true;
+};
+
+/// "high,med": in this order, each once.
+std::vector<spec::Design> designs_of(const ErrorOptions& options) {
+  if (options.all_designs) return spec::designs();
+  std::vector<spec::Design> designs;
+  for (const std::string& name : CLI::detail::split(options.design, ',')) {
+    Options one = options;
+    one.design = name;
+    designs.push_back(contract_of(one).design);
+  }
+  return designs;
+}
+
+[[noreturn]] void refuse(const scene::Scene& scene, const std::string& what) {
+  throw scene::InputError(
+      scene.name,
+      fmt::format("expected {} in exact mode: judge a part of it with --every N, or one design "
+                  "with pineda check, which needs no room for the scene",
+                  what));
+}
+
+std::vector<studies::SceneTriangle> load(const scene::Scene& scene, const ErrorOptions& options,
+                                         const spec::Design& design, Progress* progress) {
+  constexpr studies::ErrorLimits kLimits;
+  if (int64_t{scene.frame.width} * scene.frame.height > kLimits.pixels) {
+    refuse(scene, fmt::format("a frame of at most {} pixels, got {}x{},",
+                              grouped(static_cast<uint64_t>(kLimits.pixels)), scene.frame.width,
+                              scene.frame.height));
+  }
+  std::vector<studies::SceneTriangle> triangles;
+  studies::SceneTriangle triangle;
+  for (uint64_t n = 0; scene.source->next(&triangle.snapped); ++n) {
+    if (n % options.every != 0) continue;
+    if (static_cast<int64_t>(triangles.size()) == kLimits.triangles) {
+      refuse(scene, fmt::format("at most {} triangles",
+                                grouped(static_cast<uint64_t>(kLimits.triangles))));
+    }
+    triangle.screen = stated(scene.source->screen());
+    triangles.push_back(triangle);
+    progress->update("loading", n);
+  }
+  if (triangles.empty()) {
+    throw scene::InputError(scene.name, "expected at least one triangle to judge, got none");
+  }
+  if (studies::count_samples(triangles, scene.frame, design, kLimits.samples) > kLimits.samples) {
+    refuse(scene, fmt::format("at most {} covered samples",
+                              grouped(static_cast<uint64_t>(kLimits.samples))));
+  }
+  return triangles;
+}
+
+/// The cycles of each design that has any.
+void add_cycles(const std::vector<studies::SceneTriangle>& triangles, const scene::Scene& scene,
+                const std::vector<spec::Design>& designs, Progress* progress,
+                studies::ErrorStudy* study) {
+  std::vector<spec::Triangle> snapped;
+  for (const auto& t : triangles) snapped.push_back(t.snapped);
+  for (size_t i = 0; i < designs.size(); ++i) {
+    progress->update("cycles", i);
+    if (!spec::no_cycles_reason(designs[i]).empty()) continue;
+    study->subjects[i].cycles = static_cast<double>(
+        studies::model_cycles(spec::contract(designs[i]), scene.frame, snapped));
+  }
+}
+
+Json distribution_json(const studies::Distribution& d, const char* unit) {
+  return {{fmt::format("max_{}", unit), d.max()},
+          {fmt::format("p999_{}", unit), d.quantile(.999)},
+          {fmt::format("rms_{}", unit), d.rms()},
+          {"misrounded", d.misrounded()}};
+}
+
+Json subject_json(const studies::Subject& s, const studies::ErrorStudy& study) {
+  const auto triangles = static_cast<double>(study.triangles);
+  const auto samples = static_cast<double>(std::max<uint64_t>(study.samples, 1));
+  Json json{{"summary", s.summary},
+            {"coverage", {{"missing", s.missing}, {"extra", s.extra}}},
+            {"depth", distribution_json(s.depth, "ulp")},
+            {"color", distribution_json(s.color, "lsb")}};
+  if (s.bounds) {
+    json["holds"] = s.holds();
+    json["depth"]["bound_ulp"] = s.bounds->depth_ulp;
+    json["color"]["bound_lsb"] = s.bounds->attribute_lsb;
+  }
+  if (s.judged_by_frame) json["judged_by_frame"] = true;
+  json["seconds"] = s.seconds;
+  json["triangles_per_second"] = triangles / s.seconds;
+  json["samples_per_second"] = static_cast<double>(study.samples) / s.seconds;
+  if (s.cycles) {
+    json["cycles"] = {{"total", static_cast<uint64_t>(*s.cycles)},
+                      {"per_triangle", *s.cycles / triangles},
+                      {"per_sample", *s.cycles / samples}};
+  }
+  if (s.visited) {
+    json["visited"] = {{"total", static_cast<uint64_t>(*s.visited)},
+                       {"per_triangle", *s.visited / triangles},
+                       {"per_sample", *s.visited / samples}};
+  }
+  return json;
+}
+
+Json error_json(const studies::ErrorStudy& study, const scene::Scene& scene, double seconds) {
+  Json json{{"scene", scene.name}, {"width", study.width}, {"height", study.height}};
+  json["holds"] = study.holds();
+  json["seconds"] = seconds;
+  json["triangles"] = scene.source->counters().triangles;
+  json["judged_triangles"] = study.triangles;
+  json["samples"] = study.samples;
+  json["runs"] = study.runs;
+  json["affine_lsb"] = study.affine_lsb;
+  json["designs"] = Json::object();
+  json["baselines"] = Json::object();
+  for (const auto& s : study.subjects) {
+    json[s.is_design ? "designs" : "baselines"][s.name] = subject_json(s, study);
+  }
+  json["input"] = input_json(scene.source->counters());
+  return json;
+}
+
+void write_folder(const std::string& folder, const studies::ErrorStudy& study,
+                  const scene::Scene& scene, const Json& json) {
+  const studies::ErrorScale scale(study, studies::Quantity::kDepth);
+  for (const auto& s : study.subjects) {
+    scene::write_rgb_png(folder + "/" + studies::map_file(s), study.width, study.height,
+                         studies::error_map_rgb(s.map, scale));
+  }
+  scene::write_file(folder + "/speed_error.svg", studies::speed_error_svg(study, scene.name));
+  scene::write_file(folder + "/histogram.svg", studies::histogram_svg(study));
+  scene::write_file(folder + "/error.json", json.dump(2) + "\n");
+  scene::write_file(folder + "/report.html", studies::error_page(study, scene.name));
+}
+
+void print(const Output& output, const studies::ErrorStudy& study, const ErrorOptions& options,
+           double seconds) {
+  output.line("{} triangles, {} covered samples judged, hidden ones included\n",
+              grouped(study.triangles), grouped(study.samples));
+  for (const auto& line : studies::accuracy_table(study)) output.line("{}", line);
+  output.line("");
+  for (const auto& line : studies::speed_table(study)) output.line("{}", line);
+  output.line("");
+  if (study.affine_lsb > 0) {
+    output.line(
+        "Colours are judged as these designs interpolate them, affinely; perspective-correct ones "
+        "lie up to {:.3g} LSB away.",
+        study.affine_lsb);
+  }
+  output.row("seconds", fmt::format("{:.1f}; a frame's is the median of {}", seconds, study.runs));
+  if (!options.out.empty()) {
+    output.row("written", fmt::format("{}/report.html, speed_error.svg, histogram.svg, maps/, "
+                                      "error.json",
+                                      options.out));
+  }
+  output.line("{}", study.holds() ? "It holds: no design misses a sample or its bounds."
+                                  : "IT DOES NOT HOLD.");
+}
+
+int run(const ErrorOptions& options) {
+  const std::vector<spec::Design> designs = designs_of(options);
+  const Output output(options);
+  Progress progress(options);
+  const scene::Scene scene = open(options, spec::contract(designs.front()), false);
+  output.line("{}: {}x{}", scene.name, scene.frame.width, scene.frame.height);
+
+  studies::ErrorStudy study;
+  const double seconds = seconds_of([&] {
+    const auto triangles = load(scene, options, designs.front(), &progress);
+    studies::ErrorOptions study_options;
+    study_options.designs = designs;
+    study_options.maps = !options.out.empty();
+    study_options.progress = [&](const char* what, uint64_t done) { progress.update(what, done); };
+    study = studies::study_errors(triangles, scene.frame, study_options);
+    add_cycles(triangles, scene, designs, &progress, &study);
+  });
+  progress.clear();
+  print_notes(output, scene);
+
+  const Json json = error_json(study, scene, seconds);
+  if (!options.out.empty()) write_folder(options.out, study, scene, json);
+  print(output, study, options, seconds);
+  output.json(json);
+  return study.holds() ? kHolds : kMismatch;
+}
+
+}  // namespace
+
+void add_error(CLI::App* program, int* exit_code) {
+  auto options = std::make_shared<ErrorOptions>();
+  auto* command = program->add_subcommand(
+      "error", "Every design point and every textbook baseline against exact arithmetic");
+  add_scene_options(command, options.get());
+  auto* design = command->get_option("--design");
+  design->description("Only these design points, NAME,NAME..; all of them unless given");
+  design->default_str("");
+  command->add_option("--every", options->every, "Judge every Nth triangle only")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  command->add_option("-o,--out", options->out, "Folder for the page, the plots and the error maps")
+      ->type_name("DIR");
+  command->callback([options, exit_code, design] {
+    options->all_designs = design->count() == 0;
+    *exit_code = run(*options);
+  });
+}
+
+}  // namespace pineda::cli

@@ -1,0 +1,259 @@
+// From the floats of a scene to exact values. Along a row a value is a fraction whose numerator and
+// denominator change by constants; affine values step by quotient and remainder, without a
+// division.
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "model/exact/exact.h"
+
+namespace exact {
+
+namespace {
+
+__extension__ typedef __int128 Int128;
+// Beyond 128 bits. An odd mantissa and its exponent make w = m * 2^e with m < 2^24 and
+// -149 <= e <= 127, so that product * 2^shift < 2^(48 + 276); an area of 54 bits and an attribute
+// of 16 make 394. Overflow throws.
+using Wide = boost::multiprecision::checked_int512_t;
+
+using Weights = std::array<int64_t, 3>;
+
+void check_range(int value, int low, int high, const char* message) {
+  if (value < low || value > high) throw std::out_of_range(message);
+}
+
+void check(const Format& f) {
+  check_range(f.subpixel_bits, 1, 12, "exact: subpixel bits must be 1 to 12");
+  check_range(f.guard_bits, 0, 26 - f.subpixel_bits,
+              "exact: guard band and subpixels must fit into 26 bits");
+  check_range(f.depth_bits, 0, 32, "exact: depth bits must be 0 to 32");
+  check_range(f.attributes, 0, 16, "exact: attributes must be 0 to 16");
+  check_range(f.attribute_bits, 0, 16, "exact: attribute bits must be 0 to 16");
+}
+
+bool has_nan(const ScreenTriangle& triangle) {
+  return std::any_of(triangle.begin(), triangle.end(), [](const ScreenVertex& v) {
+    return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z) || std::isnan(v.w);
+  });
+}
+
+Vertex snap_vertex(const ScreenVertex& v, const Format& format) {
+  if (!std::isnormal(v.w) || v.w < 0) {
+    throw std::out_of_range("exact: w must be positive, neither denormal nor infinite");
+  }
+  bool outside = false;  // the caller's to count
+  Vertex snapped;
+  snapped.x = snap(v.x, format.subpixel_bits, format.guard_bits, &outside);
+  snapped.y = snap(v.y, format.subpixel_bits, format.guard_bits, &outside);
+  snapped.z = depth_input(v.z, format.depth_bits, &outside);
+  snapped.attr.resize(static_cast<size_t>(format.attributes));
+  const int greatest = (1 << format.attribute_bits) - 1;
+  for (size_t i = 0; i < v.rgba.size() && i < snapped.attr.size(); ++i) {
+    check_range(v.rgba[i], 0, 255, "exact: a colour must be 0 to 255");
+    // No halves: 2*c*greatest is even and an odd multiple of 255 is odd.
+    snapped.attr[i] = (v.rgba[i] * greatest + 127) / 255;
+  }
+  return snapped;
+}
+
+Triangle snap_triangle(const ScreenTriangle& t, const Format& format) {
+  check(format);
+  if (has_nan(t)) return {};
+  return {snap_vertex(t[0], format), snap_vertex(t[1], format), snap_vertex(t[2], format)};
+}
+
+int bit_length(int64_t value) {
+  int bits = 0;
+  for (; value != 0; value >>= 1) ++bits;
+  return bits;
+}
+
+struct OddFloat {
+  int64_t mantissa;  // odd, or 0
+  int exponent;      // value = mantissa * 2^exponent
+};
+
+OddFloat odd_float(float value) {
+  int exponent = 0;
+  auto mantissa = static_cast<int64_t>(std::ldexp(std::frexp(value, &exponent), 24));
+  exponent -= 24;
+  for (; mantissa != 0 && mantissa % 2 == 0; mantissa /= 2) ++exponent;
+  return {mantissa, exponent};
+}
+
+// v = whole + fraction. The quotient of two integers rounded to 64 bits lies within 2^-64, and once
+// more rounded to a double within 2^-54 + 2^-64; 1 itself is left to `whole`.
+Value make_value(int64_t whole, long double fraction, bool half) {
+  static_assert(std::numeric_limits<long double>::digits >= 64, "2^-53 needs a long double");
+  constexpr double kBelowOne = 1 - std::numeric_limits<double>::epsilon() / 2;
+  return {whole, std::min(static_cast<double>(fraction), kBelowOne), half ? whole + 1 : whole};
+}
+
+// The mean of three vertices' values under the weights of the samples of a row.
+//
+// Widths: the weights sum to at most 2^54 (see Judge) and a value lies below 2^40, so the numerator
+// stays below 2^94. The denominator, the area in units of the values, has at most 62 bits: a
+// remainder and a step of it, both smaller in magnitude, sum to less than 2^63. Quotients are means
+// of the values, and the step is the difference of two of them.
+class Mean {
+ public:
+  Mean(const Weights& at, const Weights& next, const std::array<int64_t, 3>& values,
+       int64_t denominator)
+      : denominator_(denominator) {
+    Int128 numerator = 0;
+    Int128 next_numerator = 0;
+    for (size_t i = 0; i < 3; ++i) {
+      numerator += Int128{at[i]} * values[i];
+      next_numerator += Int128{next[i]} * values[i];
+    }
+    whole_ = static_cast<int64_t>(numerator / denominator);
+    rest_ = static_cast<int64_t>(numerator % denominator);
+    whole_step_ = static_cast<int64_t>(next_numerator / denominator) - whole_;
+    rest_step_ = static_cast<int64_t>(next_numerator % denominator) - rest_;
+  }
+
+  Value value() const {
+    return make_value(whole_,
+                      static_cast<long double>(rest_) / static_cast<long double>(denominator_),
+                      rest_ >= denominator_ - rest_);
+  }
+
+  void step() {
+    whole_ += whole_step_;
+    rest_ += rest_step_;
+    if (rest_ < 0) {
+      rest_ += denominator_;
+      --whole_;
+    } else if (rest_ >= denominator_) {
+      rest_ -= denominator_;
+      ++whole_;
+    }
+  }
+
+ private:
+  int64_t denominator_;
+  int64_t whole_;
+  int64_t rest_;
+  int64_t whole_step_;
+  int64_t rest_step_;
+};
+
+// A sum over the vertices that changes by a constant from sample to sample.
+template <typename Integer>
+struct Sum {
+  Integer value = 0;
+  Integer step = 0;
+
+  void add(int64_t at, int64_t next, const Integer& factor) {
+    value += at * factor;
+    step += (next - at) * factor;
+  }
+};
+
+template <typename Integer>
+Value quotient(const Integer& numerator, const Integer& denominator) {
+  const Integer whole = numerator / denominator;
+  const Integer rest = numerator - whole * denominator;
+  return make_value(static_cast<int64_t>(whole),
+                    static_cast<long double>(rest) / static_cast<long double>(denominator),
+                    rest >= denominator - rest);
+}
+
+// One attribute with perspective along a row: factor[i] is proportional to 1/w_i.
+template <typename Integer>
+void perspective_row(const Weights& at, const Weights& next, const std::array<Integer, 3>& factor,
+                     const Triangle& t, size_t attribute, Sample* first, Sample* last) {
+  Sum<Integer> numerator;
+  Sum<Integer> denominator;
+  for (size_t i = 0; i < 3; ++i) {
+    numerator.add(at[i], next[i], factor[i] * t[i].attr[attribute]);
+    denominator.add(at[i], next[i], factor[i]);
+  }
+  for (;; ++first) {
+    first->perspective[attribute] = quotient(numerator.value, denominator.value);
+    if (first == last) return;
+    numerator.value += numerator.step;
+    denominator.value += denominator.step;
+  }
+}
+
+template <typename Integer>
+std::array<Integer, 3> factors(const std::array<int64_t, 3>& product,
+                               const std::array<int, 3>& shift) {
+  std::array<Integer, 3> result;
+  for (size_t i = 0; i < 3; ++i) result[i] = Integer{product[i]} << shift[i];
+  return result;
+}
+
+}  // namespace
+
+double Value::error_of(int64_t code) const { return static_cast<double>(code - whole) - fraction; }
+
+double Value::error_of(int64_t value, int fraction_bits) const {
+  const int64_t floor = value >> fraction_bits;
+  const int64_t below = (int64_t{1} << fraction_bits) - 1;
+  const auto rest = static_cast<double>(value & below);  // exact: 52 bits
+  return static_cast<double>(floor - whole) + (std::ldexp(rest, -fraction_bits) - fraction);
+}
+
+ScreenJudge::ScreenJudge(const ScreenTriangle& triangle, const Format& format, const Frame& frame)
+    : snapped_(snap_triangle(triangle, format), format.subpixel_bits, frame.width, frame.height,
+               frame.cull),
+      dropped_(has_nan(triangle)),
+      attributes_(static_cast<size_t>(std::min(format.attributes, 4))) {
+  affine_ = triangle[0].w == triangle[1].w && triangle[1].w == triangle[2].w;
+  if (culled() || affine_) return;
+  // Times w_0 w_1 w_2, 1/w_i becomes the product of the other two.
+  std::array<OddFloat, 3> w{};
+  for (size_t i = 0; i < 3; ++i) w[i] = odd_float(triangle[i].w);
+  const int highest = std::max({w[0].exponent, w[1].exponent, w[2].exponent});
+  int factor_bits = 0;
+  for (size_t i = 0; i < 3; ++i) {
+    product_[i] = w[(i + 1) % 3].mantissa * w[(i + 2) % 3].mantissa;  // below 2^48
+    shift_[i] = highest - w[i].exponent;
+    factor_bits = std::max(factor_bits, bit_length(product_[i]) + shift_[i]);
+  }
+  // A sum is at most the area times the greatest factor times the greatest attribute; its step is
+  // the difference of two such sums. Below 2^126 both, they sum to less than 2^127.
+  const int area_bits = bit_length(std::abs(snapped_.doubled_area()));
+  narrow_ = area_bits + factor_bits + format.attribute_bits <= 126;
+}
+
+void ScreenJudge::row(int y, bool with_perspective, std::vector<Sample>* out) const {
+  const Span span = snapped_.span(y);
+  if (span.first > span.last) return;
+  const size_t begin = out->size();
+  const auto count = static_cast<size_t>(span.last - span.first) + 1;
+  out->resize(begin + count);
+  Sample* const first = out->data() + begin;
+  Sample* const last = first + count - 1;
+  const Triangle& t = snapped_.vertices();
+  const Weights at = snapped_.weights(span.first, y);
+  const Weights next = snapped_.weights(std::min(span.first + 1, span.last), y);
+  const int64_t area2 = std::abs(snapped_.doubled_area());
+
+  Mean z(at, next, {t[0].z, t[1].z, t[2].z}, area2 << 8);
+  int x = span.first;
+  for (Sample* s = first; s <= last; ++s, z.step()) {
+    s->x = x++;
+    s->y = y;
+    s->z = z.value();
+  }
+  for (size_t a = 0; a < attributes_; ++a) {
+    Mean mean(at, next, {t[0].attr[a], t[1].attr[a], t[2].attr[a]}, area2);
+    for (Sample* s = first; s <= last; ++s, mean.step()) s->affine[a] = mean.value();
+    if (!with_perspective) continue;
+    if (affine_) {
+      for (Sample* s = first; s <= last; ++s) s->perspective[a] = s->affine[a];
+    } else if (narrow_) {
+      perspective_row(at, next, factors<Int128>(product_, shift_), t, a, first, last);
+    } else {
+      perspective_row(at, next, factors<Wide>(product_, shift_), t, a, first, last);
+    }
+  }
+}
+
+}  // namespace exact

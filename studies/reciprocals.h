@@ -1,0 +1,35 @@
+// How good each reciprocal is: every scheme on every mantissa that it tells apart.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "model/spec/design.h"
+
+namespace pineda::studies {
+
+/// Bits of the ROM; 0 for a division.
+int64_t reciprocal_rom_size_bits(const spec::Design& design);
+
+/// The greatest relative error of a reciprocal, and where.
+struct ReciprocalError {
+  double error = 0;
+  int64_t area2 = 0;
+  bool exhaustive = false;  // every mantissa was tried
+  double good_bits() const;
+};
+
+/// Tries each mantissa of k+2 bits, with the bits below all 0 and all 1: in between the error is
+/// monotonic. Above `most` of them: every cell's ends, and others evenly spread.
+ReciprocalError reciprocal_error(const spec::Design& design, int64_t most);
+
+/// A scheme as the study lists it, and what a prototype in software measured.
+struct ReciprocalRow {
+  const char* name;
+  spec::Design design;
+  double prototype_good_bits;
+};
+std::vector<ReciprocalRow> reciprocal_rows();
+
+}  // namespace pineda::studies

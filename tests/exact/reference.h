@@ -1,0 +1,49 @@
+// What the judge must say of a triangle of floats, in rationals: every definition written down
+// literally and slowly. A fault can be planted, to show that a comparison sees it.
+#pragma once
+
+#include <array>
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "model/exact/exact.h"
+
+namespace exact {
+
+using Rational = boost::multiprecision::cpp_rational;
+using Integer = boost::multiprecision::cpp_int;
+
+enum class Fault { kNone, kInclusiveEdges, kTiesUp, kTruncatedDepth, kWNotInverted };
+
+Integer floor_of(const Rational& r);
+
+class Reference {
+ public:
+  Reference(const ScreenTriangle& triangle, const Format& format, Fault fault = Fault::kNone);
+
+  /// Positive when clockwise on screen.
+  Rational doubled_area() const;
+  bool covers(int x, int y) const;
+  Rational z(int x, int y) const;
+  Rational affine(int x, int y, size_t attribute) const;
+  Rational perspective(int x, int y, size_t attribute) const;
+
+ private:
+  struct Point {
+    Rational x, y;
+  };
+  struct Corner {
+    Point p;
+    Rational z, w;
+    std::array<Rational, 4> attribute;
+  };
+  static Rational edge(const Point& from, const Point& to, const Point& p);
+  static Point centre(int x, int y) { return {Rational(2 * x + 1, 2), Rational(2 * y + 1, 2)}; }
+  /// The share of corner i in the sample.
+  Rational barycentric(size_t i, const Point& p) const;
+
+  std::array<Corner, 3> corner_;
+  bool inclusive_;
+  bool w_not_inverted_;
+};
+
+}  // namespace exact
