@@ -13,7 +13,8 @@ struct JudgeSink {
   const spec::Contract& contract;
   const exact::Judge& judge;
   Judgement* to;
-  uint64_t right = 0;  // samples that both cover
+  uint64_t right = 0;                       // samples that both cover
+  std::array<int, 4> last{-1, -1, -1, -1};  // tile row, tile column, row, column of a stamp
 
   void prim(const spec::SetupPrim&) {}
   void depth(const spec::DepthWrite&) {}
@@ -21,6 +22,15 @@ struct JudgeSink {
   void stamp(const spec::Stamp&) {}
   void fragment(const spec::Stamp& stamp, const spec::Fragment& fragment) {
     const spec::Design& d = contract.design;
+    const std::array<int, 4> now{stamp.y >> (d.tile_log2 - d.stamp_height_log2),
+                                 stamp.x >> (d.tile_log2 - d.stamp_width_log2), stamp.y, stamp.x};
+    if (now <= last) {  // sent before: it must not make up for one that is missing
+      const auto samples = static_cast<uint64_t>(__builtin_popcount(stamp.mask));
+      to->samples += samples;
+      to->extra += samples;
+      return;
+    }
+    last = now;
     for (int lane = 0; lane < contract.width.lanes; ++lane) {
       if ((stamp.mask >> lane & 1) == 0) continue;
       const int x = (stamp.x << d.stamp_width_log2) + (lane & ((1 << d.stamp_width_log2) - 1));

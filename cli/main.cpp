@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   cli::add_study(&program, &exit_code);
   cli::add_walk(&program, &exit_code);
   cli::add_designs(&program, &exit_code);
+  cli::add_scenes(&program, &exit_code);
   try {
     if (argc < 2) throw cli::UsageError("expected a command (see pineda --help)");
     if (argv[1][0] != '-' && !is_command(program, argv[1])) {

@@ -34,7 +34,7 @@ void add_scene_options(CLI::App* command, Options* o) {
   command
       ->add_option("scene", o->scene,
                    "A .tri, .ptrb or .obj file, - for a .ptrb on standard input, or built in: "
-                   "teapot, triangle, grid")
+                   "see `pineda scenes`")
       ->required()
       ->type_name("SCENE");
   command->add_option("--design", o->design, "Design point, see `pineda designs`")

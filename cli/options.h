@@ -70,6 +70,7 @@ void add_rtl(CLI::App* program, int* exit_code);
 void add_study(CLI::App* program, int* exit_code);
 void add_error(CLI::App* program, int* exit_code);
 void add_designs(CLI::App* program, int* exit_code);
+void add_scenes(CLI::App* program, int* exit_code);
 void add_walk(CLI::App* program, int* exit_code);
 
 }  // namespace pineda::cli

@@ -2,28 +2,10 @@
 
 #include <algorithm>
 
+#include "model/scene/random.h"
+
 namespace pineda::scene {
 namespace {
-
-// SplitMix64: the same numbers everywhere, unlike the distributions of <random>.
-class Random {
- public:
-  explicit Random(uint64_t seed) : state_(seed) {}
-
-  uint64_t bits() {
-    uint64_t x = state_ += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-  }
-  /// In [low, high); 24 random bits.
-  float between(float low, float high) {
-    return low + (high - low) * static_cast<float>(bits() >> 40) * 0x1p-24f;
-  }
-
- private:
-  uint64_t state_;
-};
 
 constexpr int kSpacingPx = 24;  // of the grid
 constexpr float kJitter = .2f;  // of the spacing

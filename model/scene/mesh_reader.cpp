@@ -76,7 +76,7 @@ ScreenVertex MeshReader::project(const ClipVertex& vertex) const {
   ScreenVertex v;
   v.x = static_cast<float>((p[0] / p[3] + 1) * (width_ / 2.0));
   v.y = static_cast<float>((1 - p[1] / p[3]) * (height_ / 2.0));
-  v.z = static_cast<float>(p[2] / p[3]);
+  v.z = static_cast<float>(std::max(0., p[2] / p[3]));  // a cut may end a rounding before near
   v.w = static_cast<float>(p[3]);
   for (size_t i = 0; i < 4; ++i) v.rgba[i] = static_cast<uint8_t>(std::lround(vertex.rgba[i]));
   return v;

@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "model/scene/builtin.h"
+#include "model/scene/hard_cases.h"
 #include "model/scene/lines.h"
 #include "model/scene/mesh_reader.h"
 #include "model/scene/obj_reader.h"
@@ -17,6 +19,7 @@
 namespace pineda::scene {
 namespace {
 
+constexpr std::string_view kHard = "hard/";  // before the name of a hard case
 constexpr int kDefaultTessellation = 10;
 constexpr int kGreatestTessellation = 256;  // 4.2 million triangles
 
@@ -24,21 +27,25 @@ void refuse(const std::string& name, bool given, const char* option, const char*
   if (given) throw InputError(name, fmt::format("expected no {}: {}", option, where));
 }
 
-void refuse_frame_options(const std::string& name, const Options& options) {
-  constexpr const char* kOwn = "the file states its own";
-  refuse(name, options.size.has_value(), "size option", kOwn);
-  refuse(name, options.cull.has_value(), "cull option", kOwn);
-  refuse(name, options.depth.has_value(), "depth option", kOwn);
+void refuse_frame_options(const std::string& name, const Options& options,
+                          const char* own = "the file states its own") {
+  refuse(name, options.size.has_value(), "size option", own);
+  refuse(name, options.cull.has_value(), "cull option", own);
+  refuse(name, options.depth.has_value(), "depth option", own);
 }
 
-spec::FrameState frame_of(const spec::Contract& contract, const std::string& name,
-                          const Options& options, Size fallback) {
-  const Size size = options.size.value_or(fallback);
+void check_size(const spec::Contract& contract, const std::string& name, Size size) {
   const int greatest = 1 << contract.design.guard_bits;
   if (size.width < 1 || size.width > greatest || size.height < 1 || size.height > greatest) {
     throw InputError(name, fmt::format("expected a size of 1x1 to {0}x{0}, got {1}x{2}", greatest,
                                        size.width, size.height));
   }
+}
+
+spec::FrameState frame_of(const spec::Contract& contract, const std::string& name,
+                          const Options& options, Size fallback) {
+  const Size size = options.size.value_or(fallback);
+  check_size(contract, name, size);
   spec::FrameState frame;
   frame.width = size.width;
   frame.height = size.height;
@@ -128,6 +135,20 @@ Scene open_list(const spec::Contract& contract, const std::string& name, const O
                  std::make_unique<ListReader>(make(frame.width, frame.height)));
 }
 
+Scene open_hard(const spec::Contract& contract, const std::string& name, const Options& options) {
+  const HardCase* hard_case = find_hard_case(name.substr(kHard.size()));
+  if (hard_case == nullptr) {
+    std::string known;
+    for (const auto& other : hard_cases()) {
+      known += fmt::format("{}{}", known.empty() ? "" : ", ", other.name);
+    }
+    throw InputError(name, fmt::format("expected {}NAME, one of {}", kHard, known));
+  }
+  refuse_frame_options(name, options, "the case states its own");
+  check_size(contract, name, {hard_case->frame.width, hard_case->frame.height});
+  return snapped(contract, name, hard_case->frame, std::make_unique<ListReader>(hard_case->make()));
+}
+
 }  // namespace
 
 Scene open_scene(const spec::Contract& contract, const std::string& name, const Options& options) {
@@ -147,9 +168,21 @@ Scene open_scene(const spec::Contract& contract, const std::string& name, const 
     refuse_frame_options(name, options);
     return open_ptrb(contract, name, options);
   }
+  if (name.compare(0, kHard.size(), kHard) == 0) return open_hard(contract, name, options);
   throw InputError(name,
                    "expected a scene: a file .tri, .ptrb or .obj, - for a .ptrb on standard input, "
-                   "or teapot, triangle, grid");
+                   "or teapot, triangle, grid, hard/NAME (see pineda scenes)");
+}
+
+std::vector<BuiltIn> built_in_scenes() {
+  std::vector<BuiltIn> scenes{{"teapot", "the Utah teapot: 32 bicubic patches", ""},
+                              {"triangle", "one triangle, red, green and blue", ""},
+                              {"grid", "jittered triangles that reach over the frame", ""}};
+  for (const HardCase& hard_case : hard_cases()) {
+    scenes.push_back(
+        {std::string(kHard) + hard_case.name, hard_case.summary, hard_case.right_answer});
+  }
+  return scenes;
 }
 
 std::vector<std::string> notes(const Counters& c) {

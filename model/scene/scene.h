@@ -20,7 +20,7 @@ struct Size {
 
 /// What a caller may ask for. Anything that the scene cannot honour is refused, never ignored.
 struct Options {
-  // Meshes and built-in scenes; .tri and .ptrb say these themselves
+  // Meshes and built-in scenes; .tri, .ptrb and hard cases say these themselves
   std::optional<Size> size;  // default 640x480, `triangle` 64x64
   std::optional<spec::Cull> cull;
   std::optional<spec::DepthFunc> depth;
@@ -39,10 +39,18 @@ struct Scene {
 };
 
 /// In       a path that ends in .tri, .ptrb or .obj; "-" for a .ptrb on standard input; or teapot,
-///          triangle or grid.
+///          triangle, grid or hard/NAME, as built_in_scenes() lists them.
 /// Errors   InputError, one line, for everything that is wrong with the name, the options or the
 ///          file. A .tri line or a .ptrb vertex may be found wrong only by next().
 Scene open_scene(const spec::Contract& contract, const std::string& name, const Options& options);
+
+/// A scene that needs no file.
+struct BuiltIn {
+  std::string name;  // as open_scene() takes it
+  std::string summary;
+  std::string right_answer;  // what must come of a hard case; else empty
+};
+std::vector<BuiltIn> built_in_scenes();
 
 /// The counters as sentences for a person, those that are zero left out.
 std::vector<std::string> notes(const Counters& counters);

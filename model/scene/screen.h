@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -43,6 +44,9 @@ class ListReader final : public ScreenReader {
     if (next_ == triangles_.size()) return false;
     ++counters->triangles;
     *triangle = triangles_[next_++];
+    for (const ScreenVertex& v : triangle->v) {
+      counters->perspective += v.w != 1 && !std::isnan(v.w) ? 1 : 0;
+    }
     return true;
   }
   void rewind() override { next_ = 0; }

@@ -17,7 +17,7 @@ struct Counters {
   uint64_t denormals = 0;     // X, Y, Z that became 0
   uint64_t clipped = 0;       // mesh triangles that the near plane or the guard band cut
   uint64_t clipped_away = 0;  // mesh triangles of which nothing was left
-  uint64_t perspective = 0;   // .tri, .ptrb: vertices with W != 1; their colours stay affine
+  uint64_t perspective = 0;   // vertices with W != 1, meshes left out; colours stay affine
 };
 
 /// A pull stream of triangles.

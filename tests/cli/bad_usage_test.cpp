@@ -33,6 +33,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadUsage{"UnknownOption", {"render", "triangle", "--fast"}, "--fast"},
         BadUsage{"TwoScenes", {"render", "triangle", "grid"}, "grid"},
         BadUsage{"UnknownScene", {"render", "teapots"}, "teapots"},
+        BadUsage{"UnknownHardCase", {"check", "hard/slivers"}, "sliver,"},
+        BadUsage{"SizeWithHardCase", {"check", "hard/sliver", "--size", "8x8"}, "states its own"},
         BadUsage{"UnknownEnding", {"render", "scene.stl"}, "scene.stl"},
         BadUsage{"UnknownDesign", {"check", "triangle", "--design", "nope"}, "'nope'"},
         BadUsage{"MissingDesignFile", {"check", "triangle", "--design", "no.toml"}, "no.toml"},

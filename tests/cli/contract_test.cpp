@@ -13,7 +13,7 @@ namespace {
 TEST(Help, EveryCommandHasIt) {
   const Outcome all = pineda({"--help"});
   EXPECT_TRUE(ended_silently(all));
-  for (const char* command : {"check", "render", "time", "rtl", "walk", "designs"}) {
+  for (const char* command : {"check", "render", "time", "rtl", "walk", "designs", "scenes"}) {
     EXPECT_NE(all.out.find(std::string("\n  ") + command), std::string::npos) << command;
     const Outcome run = pineda({command, "--help"});
     EXPECT_TRUE(ended_silently(run)) << command;
@@ -147,6 +147,36 @@ TEST_F(Figures, OfBuiltInScenesNeedNoFile) {
     EXPECT_GT(json.at("fragments"), 0) << scene;
     EXPECT_EQ(json.at("width"), 60) << scene;
   }
+}
+
+TEST(Scenes, ListEveryBuiltInScene) {
+  const Json scenes = figures({"scenes"}).at("scenes");
+  EXPECT_EQ(scenes.at("teapot").at("triangles"), 6320);
+  EXPECT_EQ(scenes.at("triangle").at("width"), 64);
+  EXPECT_GT(scenes.at("hard/sliver").at("right_answer").get<std::string>().size(), 10u);
+  const Outcome table = pineda({"scenes"});
+  EXPECT_TRUE(ended_silently(table));
+  for (const auto& [name, scene] : scenes.items()) {
+    EXPECT_NE(table.out.find(name + " "), std::string::npos) << name;
+    EXPECT_FALSE(scene.at("summary").empty()) << name;
+  }
+}
+
+TEST(Scenes, HardCasesHoldThreeWays) {
+  const Json scenes = figures({"scenes"}).at("scenes");
+  int cases = 0;
+  for (const auto& [name, scene] : scenes.items()) {
+    if (name.rfind("hard/", 0) != 0) continue;
+    ++cases;
+    const Outcome check = pineda({"check", name, "--json", "-"});
+    EXPECT_EQ(check.exit_code, 0) << name;
+    const Json json = check.json();
+    EXPECT_EQ(json.at("mismatches"), 0) << name;
+    EXPECT_EQ(json.at("cycles").at("model"), json.at("cycles").at("rtl")) << name;
+    EXPECT_EQ(json.at("triangles"), scene.at("triangles")) << name;
+    EXPECT_EQ(json.at("width"), scene.at("width")) << name;
+  }
+  EXPECT_GT(cases, 20);
 }
 
 TEST(Walk, ShowsEveryStageOfATriangle) {

@@ -1,5 +1,7 @@
 #include "tests/rtl/support.h"
 
+#include "tb/scoreboard.h"
+
 namespace pineda::tb {
 
 const RtlLibrary& rtl() {
@@ -69,6 +71,27 @@ vectors::InterpZtestCase run(InterpZtestBench* bench, const vectors::InterpZtest
   got.depth = std::move(writes.depth.tokens);
   got.color = std::move(writes.color.tokens);
   return got;
+}
+
+NextTriangle from(const std::vector<spec::Triangle>& triangles) {
+  return [&triangles, i = size_t{0}](spec::Triangle* t) mutable {
+    if (i == triangles.size()) return false;
+    *t = triangles[i++];
+    return true;
+  };
+}
+
+std::string check_frame(FrameBench* bench, const spec::FrameState& frame,
+                        const std::vector<spec::Triangle>& triangles) {
+  Scoreboard scoreboard("RTL", rtl().contract(), frame, from(triangles));
+  const FrameResult result = bench->run(frame, from(triangles), &scoreboard);
+  scoreboard.finish();
+  if (scoreboard.mismatches() != 0) return scoreboard.first_divergence();
+  const auto& model = scoreboard.renderer().buffer();
+  if (bench->buffer().depth != model.depth) return "depth memories differ";
+  if (bench->buffer().color != model.color) return "colour memories differ";
+  if (bench->buffer().hits != model.hits) return "hits differ";
+  return result.triangles == triangles.size() ? "" : "triangles were lost";
 }
 
 }  // namespace pineda::tb

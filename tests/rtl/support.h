@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/frame_bench.h"
 #include "tb/unit_bench.h"
 #include "vectors/file.h"
 #include "vectors/rng.h"
@@ -41,6 +42,14 @@ std::string first_difference(Bench* bench, const Case& expected) {
   const auto text = vectors::difference(rtl().contract(), expected, run(bench, expected));
   return text ? *text : std::string();
 }
+
+/// Pulls the triangles of a list, which must outlive the pulling.
+NextTriangle from(const std::vector<spec::Triangle>& triangles);
+
+/// A frame through the top under the scoreboard: "" or what went wrong, a mismatch at a boundary or
+/// in the memories at the end.
+std::string check_frame(FrameBench* bench, const spec::FrameState& frame,
+                        const std::vector<spec::Triangle>& triangles);
 
 /// The stall modes as test parameters, by name.
 class StallTest : public testing::TestWithParam<StallMode> {};

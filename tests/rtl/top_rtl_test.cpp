@@ -1,31 +1,8 @@
 // Whole frames: the top against core at every boundary, the frame protocol, resets.
-#include "tb/scoreboard.h"
 #include "tests/rtl/support.h"
 
 namespace pineda::tb {
 namespace {
-
-NextTriangle from(const std::vector<spec::Triangle>& triangles) {
-  return [&triangles, i = size_t{0}](spec::Triangle* t) mutable {
-    if (i == triangles.size()) return false;
-    *t = triangles[i++];
-    return true;
-  };
-}
-
-// "" or what went wrong: a mismatch at a boundary or in the memories at the end.
-std::string check_frame(FrameBench* bench, const spec::FrameState& frame,
-                        const std::vector<spec::Triangle>& triangles) {
-  Scoreboard scoreboard("RTL", rtl().contract(), frame, from(triangles));
-  const FrameResult result = bench->run(frame, from(triangles), &scoreboard);
-  scoreboard.finish();
-  if (scoreboard.mismatches() != 0) return scoreboard.first_divergence();
-  const auto& model = scoreboard.renderer().buffer();
-  if (bench->buffer().depth != model.depth) return "depth memories differ";
-  if (bench->buffer().color != model.color) return "colour memories differ";
-  if (bench->buffer().hits != model.hits) return "hits differ";
-  return result.triangles == triangles.size() ? "" : "triangles were lost";
-}
 
 class TopRtl : public StallTest {};
 INSTANTIATE_TEST_SUITE_P(, TopRtl, testing::ValuesIn(kStallModes), stall_test_name);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "model/scene/hard_cases.h"
 #include "tests/scene/scratch.h"
 
 namespace pineda::scene {
@@ -42,6 +43,9 @@ TEST(OpenScene, OptionsThatCannotBeHonouredAreRefused) {
   EXPECT_TRUE(is_one_line_with(error_of("a.ptrb", deep), "expected no depth option"));
   EXPECT_TRUE(is_one_line_with(error_of(tri, seen), "expected no camera"));
   EXPECT_TRUE(is_one_line_with(error_of("grid", seen), "expected no camera"));
+  for (const Options& own : {sized, culled, deep}) {
+    EXPECT_TRUE(is_one_line_with(error_of("hard/fan", own), "option: the case states its own"));
+  }
   EXPECT_TRUE(is_one_line_with(error_of("grid", fine), "expected no tessellation"));
 }
 
@@ -67,15 +71,28 @@ TEST(OpenScene, SizesTessellationsAndCamerasOutOfRangeAreRefused) {
   }
 }
 
+TEST(OpenScene, UnknownHardCasesListThoseThatExist) {
+  for (const char* name : {"hard/", "hard/slivers"}) {
+    const std::string error = error_of(name);
+    for (const HardCase& known : hard_cases()) EXPECT_TRUE(is_one_line_with(error, known.name));
+  }
+  // A name that ends like a file is one.
+  EXPECT_TRUE(is_one_line_with(error_of("hard/sliver.tri"), "expected a file to read"));
+}
+
 TEST(OpenScene, BuiltInScenesRewindToTheSameTriangles) {
-  for (const char* name : {"teapot", "triangle", "grid"}) {
+  ASSERT_GT(built_in_scenes().size(), 3u);
+  for (const BuiltIn& built_in : built_in_scenes()) {
+    const std::string& name = built_in.name;
     const auto opened = open_scene(kContract, name, {});
     const auto again = open_scene(kContract, name, {});
     const auto first = all_triangles(opened.source.get());
     const Counters counted = opened.source->counters();
     EXPECT_EQ(opened.name, name);
     EXPECT_FALSE(first.empty());
-    EXPECT_TRUE(notes(counted).empty()) << name;
+    // Only the hard cases hold what must be said.
+    EXPECT_TRUE(notes(counted).empty() || !built_in.right_answer.empty()) << name;
+    EXPECT_FALSE(built_in.summary.empty()) << name;
     opened.source->rewind();
     EXPECT_TRUE(same(first, all_triangles(opened.source.get())));
     EXPECT_TRUE(same(first, all_triangles(again.source.get())));
