@@ -33,29 +33,32 @@ std::vector<spec::Design> designs_of(const ErrorOptions& options) {
   return designs;
 }
 
-[[noreturn]] void refuse(const scene::Scene& scene, const std::string& what) {
-  throw scene::InputError(
-      scene.name,
-      fmt::format("expected {} in exact mode: judge a part of it with --every N, or one design "
-                  "with pineda check, which needs no room for the scene",
-                  what));
+constexpr const char* kCheckInstead =
+    "pineda check judges one design on it and needs no room for the scene";
+
+[[noreturn]] void refuse(const scene::Scene& scene, int64_t most, const std::string& what) {
+  throw scene::InputError(scene.name,
+                          fmt::format("expected at most {} {} in exact mode: --every N judges a "
+                                      "part of them, and {}",
+                                      grouped(static_cast<uint64_t>(most)), what, kCheckInstead));
 }
 
 std::vector<studies::SceneTriangle> load(const scene::Scene& scene, const ErrorOptions& options,
                                          const spec::Design& design, Progress* progress) {
   constexpr studies::ErrorLimits kLimits;
   if (int64_t{scene.frame.width} * scene.frame.height > kLimits.pixels) {
-    refuse(scene, fmt::format("a frame of at most {} pixels, got {}x{},",
-                              grouped(static_cast<uint64_t>(kLimits.pixels)), scene.frame.width,
-                              scene.frame.height));
+    throw scene::InputError(
+        scene.name,
+        fmt::format("expected a frame of at most {} pixels in exact mode, got {}x{}: {}",
+                    grouped(static_cast<uint64_t>(kLimits.pixels)), scene.frame.width,
+                    scene.frame.height, kCheckInstead));
   }
   std::vector<studies::SceneTriangle> triangles;
   studies::SceneTriangle triangle;
   for (uint64_t n = 0; scene.source->next(&triangle.snapped); ++n) {
     if (n % options.every != 0) continue;
     if (static_cast<int64_t>(triangles.size()) == kLimits.triangles) {
-      refuse(scene, fmt::format("at most {} triangles",
-                                grouped(static_cast<uint64_t>(kLimits.triangles))));
+      refuse(scene, kLimits.triangles, "triangles");
     }
     triangle.screen = stated(scene.source->screen());
     triangles.push_back(triangle);
@@ -65,8 +68,7 @@ std::vector<studies::SceneTriangle> load(const scene::Scene& scene, const ErrorO
     throw scene::InputError(scene.name, "expected at least one triangle to judge, got none");
   }
   if (studies::count_samples(triangles, scene.frame, design, kLimits.samples) > kLimits.samples) {
-    refuse(scene, fmt::format("at most {} covered samples",
-                              grouped(static_cast<uint64_t>(kLimits.samples))));
+    refuse(scene, kLimits.samples, "covered samples");
   }
   return triangles;
 }

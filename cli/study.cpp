@@ -152,7 +152,16 @@ int reciprocals(const StudyOptions& options) {
 
 void add_study(CLI::App* program, int* exit_code) {
   auto* study = program->add_subcommand("study", "Sweeps over designs");
-  study->require_subcommand(1);
+  study->allow_extras();
+  // Before any study runs: extras are refused here, with what was expected.
+  study->parse_complete_callback([study] {
+    const auto rest = study->remaining(true);
+    const bool chosen = !study->get_subcommands().empty();
+    if (chosen && rest.empty()) return;
+    throw UsageError(fmt::format("study: expected {}{} (see pineda study --help)",
+                                 chosen ? "no more arguments" : "design-points or reciprocals",
+                                 rest.empty() ? "" : ", got '" + rest.front() + "'"));
+  });
 
   auto point_options = std::make_shared<StudyOptions>();
   point_options->seed = 1;

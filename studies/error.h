@@ -24,7 +24,7 @@ struct SceneTriangle {
 struct ErrorLimits {
   int64_t pixels = int64_t{1} << 22;     // of the frame
   int64_t triangles = int64_t{1} << 20;  // that are not dropped
-  int64_t samples = int64_t{1} << 26;    // covered, hidden ones included
+  int64_t samples = int64_t{1} << 25;    // covered, hidden ones included
 };
 
 /// The largest errors of each pixel, row-major, over all triangles that cover it.

@@ -32,7 +32,7 @@ class Sink {
 ///          codes, attributes 0 to 3 red, green, blue, alpha.
 /// Out      each sample (pixel centre) that the algorithm takes to be covered; twice when it hits
 ///          it twice.
-/// Drops    zero area, culled by facing, outside of the frame.
+/// Drops    zero area, culled by facing (points know neither), outside of the frame.
 /// Errors   none: values are rounded half up and clamped, a NaN counts as 0. No depth test.
 class Rasterizer {
  public:

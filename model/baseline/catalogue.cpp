@@ -6,7 +6,6 @@
 namespace pineda::baseline {
 
 const std::vector<Baseline>& baselines() {
-  constexpr const char* kLecture = "6.837 Lecture 6, Fall 2000";
   static const std::vector<Baseline> kBaselines{
       {"edge_walk", "spans between two edges that are walked row by row",
        "6.837 Lecture 6, Fall 2000, slides 7 and 8; Rasterization, 2006, slides 8 and 9", false,
@@ -25,8 +24,10 @@ const std::vector<Baseline>& baselines() {
        "Triangles, barycentric coordinates", false, make_barycentric},
       {"barycentric_incremental", "the same, stepped along rows, colours too",
        "Triangles, barycentric coordinates", false, make_barycentric_incremental},
-      {"fp64", "edge equations and planes in double precision", kLecture, false, make_fp64},
-      {"fp32", "edge equations and planes in single precision", kLecture, false, make_fp32},
+      {"fp64", "edge equations and planes in double precision",
+       "6.837 Lecture 6, Fall 2000, slides 12 and 24", false, make_fp64},
+      {"fp32", "edge equations and planes in single precision",
+       "6.837 Lecture 6, Fall 2000, slides 12 and 24", false, make_fp32},
       {"painter", "fp64 without a depth buffer, triangles far to near",
        "Triangles, hidden surface removal", true, make_fp64},
       {"subdivision", "quarters of the frame: rejected, accepted or split, down to a pixel",

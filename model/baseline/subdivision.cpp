@@ -14,13 +14,13 @@ namespace {
 //
 // As printed  the idea alone: a square is rejected, accepted, or split into quarters.
 // Mended      nothing printed to mend. A square is a set of samples, so the recursion ends at one;
-//             the top-left bias decides ties.
+//             edges and box together tell all that is disjoint; the top-left bias decides ties.
 class Subdivision final : public Common {
  public:
   using Common::Common;
 
   void draw(const Triangle& t, Sink* sink) override {
-    Scene scene{edges(t), {}, parameters(t), sink};
+    Scene scene{edges(t), {}, box(t), parameters(t), sink};
     if (dropped(scene.exact)) return;
     scene.biased = scene.exact.edge;
     for (Edge& e : scene.biased) e.c -= e.top_left ? 0 : 1;
@@ -33,6 +33,7 @@ class Subdivision final : public Common {
   struct Scene {
     Edges exact;
     std::array<Edge, 3> biased;  // inside means at() >= 0
+    Box pixels;
     std::array<Parameters, 3> value;
     Sink* sink;
   };
@@ -40,6 +41,9 @@ class Subdivision final : public Common {
   void visit(const Scene& scene, int x, int y, int size) {
     if (x >= frame_.width || y >= frame_.height) return;
     ++visited_;
+    // Beyond the tips of a narrow triangle its edges alone reject nothing.
+    const Box& pixels = scene.pixels;
+    if (x > pixels.x1 || y > pixels.y1 || x + size <= pixels.x0 || y + size <= pixels.y0) return;
     bool accepted = true;
     for (const Edge& e : scene.biased) {
       const int64_t first = e.at(x, y);

@@ -13,7 +13,8 @@ namespace {
 TEST(Help, EveryCommandHasIt) {
   const Outcome all = pineda({"--help"});
   EXPECT_TRUE(ended_silently(all));
-  for (const char* command : {"check", "render", "time", "rtl", "walk", "designs", "scenes"}) {
+  for (const char* command :
+       {"check", "render", "time", "rtl", "error", "walk", "designs", "scenes"}) {
     EXPECT_NE(all.out.find(std::string("\n  ") + command), std::string::npos) << command;
     const Outcome run = pineda({command, "--help"});
     EXPECT_TRUE(ended_silently(run)) << command;
