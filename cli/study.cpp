@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/output.h"
+#include "studies/bound_search.h"
 #include "studies/design_points.h"
 #include "studies/reciprocals.h"
 
@@ -13,6 +14,7 @@ namespace {
 struct StudyOptions : Options {
   int triangles = 2000;
   bool exhaustive = false;
+  int steps = 6000;
 };
 
 /// Ours beside the prototype's.
@@ -116,6 +118,45 @@ int design_points(const StudyOptions& options) {
   return holds ? kHolds : kMismatch;
 }
 
+/// What a search finds, as a share of its bound.
+std::string share(double found, double bound) {
+  return fmt::format("{:>9.4g} {:>9.4g} {:>5.0f} %", found, bound, 100 * found / bound);
+}
+
+int bounds(const StudyOptions& options) {
+  constexpr int kStarts = 24;
+  const Output output(options);
+  Progress progress(options);
+  Json json{{"starts", kStarts}, {"steps", options.steps}};
+  bool holds = true;
+  output.line("Largest error before the final rounding, and what is proven of it\n");
+  output.line("{:<12}{:^28}{:^28}", "", "depth, ulp", "u8 colour, LSB");
+  output.line("{:<12}{:>9} {:>9}{:>8}  {:>9} {:>9}{:>8}", "design", "found", "bound", "", "found",
+              "bound", "");
+  for (const spec::Design& d : spec::designs()) {
+    if (d.reciprocal_scheme == spec::ReciprocalScheme::kNone) continue;
+    progress.update(d.name, 0);
+    const auto bound = spec::error_bounds_before_rounding(d);
+    const auto search = [&](studies::Value value) {
+      return studies::search_worst(spec::contract(d), value, kStarts, options.steps, options.seed)
+          .error;
+    };
+    const double depth = search(studies::Value::kDepth);
+    const double color = search(studies::Value::kColor);
+    holds = holds && depth <= bound.depth_ulp && color <= bound.attribute_lsb;
+    progress.clear();
+    output.line("{:<12}{}  {}", d.name, share(depth, bound.depth_ulp),
+                share(color, bound.attribute_lsb));
+    json["designs"][d.name] = {
+        {"depth", {{"found_ulp", depth}, {"bound_ulp", bound.depth_ulp}}},
+        {"color", {{"found_lsb", color}, {"bound_lsb", bound.attribute_lsb}}}};
+  }
+  output.line("\n{}", holds ? "It holds: no bound is exceeded." : "IT DOES NOT HOLD.");
+  json["holds"] = holds;
+  output.json(json);
+  return holds ? kHolds : kMismatch;
+}
+
 int reciprocals(const StudyOptions& options) {
   const Output output(options);
   const int64_t most = int64_t{1} << (options.exhaustive ? 40 : 24);
@@ -158,9 +199,10 @@ void add_study(CLI::App* program, int* exit_code) {
     const auto rest = study->remaining(true);
     const bool chosen = !study->get_subcommands().empty();
     if (chosen && rest.empty()) return;
-    throw UsageError(fmt::format("study: expected {}{} (see pineda study --help)",
-                                 chosen ? "no more arguments" : "design-points or reciprocals",
-                                 rest.empty() ? "" : ", got '" + rest.front() + "'"));
+    throw UsageError(
+        fmt::format("study: expected {}{} (see pineda study --help)",
+                    chosen ? "no more arguments" : "design-points, bounds or reciprocals",
+                    rest.empty() ? "" : ", got '" + rest.front() + "'"));
   });
 
   auto point_options = std::make_shared<StudyOptions>();
@@ -176,6 +218,20 @@ void add_study(CLI::App* program, int* exit_code) {
       ->type_name("N")
       ->capture_default_str();
   points->callback([point_options, exit_code] { *exit_code = design_points(*point_options); });
+
+  auto bound_options = std::make_shared<StudyOptions>();
+  bound_options->seed = 71;
+  auto* bound = study->add_subcommand(
+      "bounds", "A directed search for the worst triangles, against the derived bounds");
+  add_output_options(bound, bound_options.get());
+  bound->add_option("--steps", bound_options->steps, "Of each of 24 climbs")
+      ->check(CLI::Range(1, 100'000'000))
+      ->type_name("N")
+      ->capture_default_str();
+  bound->add_option("--seed", bound_options->seed, "Of the search")
+      ->type_name("N")
+      ->capture_default_str();
+  bound->callback([bound_options, exit_code] { *exit_code = bounds(*bound_options); });
 
   auto options = std::make_shared<StudyOptions>();
   auto* reciprocal = study->add_subcommand(

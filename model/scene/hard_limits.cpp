@@ -1,4 +1,5 @@
 // Hard cases at the limits: of the guard band, the frame, the tiles and the numbers.
+#include <algorithm>
 #include <limits>
 
 #include "model/scene/hard_draw.h"
@@ -23,6 +24,54 @@ std::vector<ScreenTriangle> huge() {
     const Point along = d.near({0, 0}, 8000 * kPx);
     const Point far = d.near({0, 0}, kGreatest);
     d.add_shuffled(q + along, q - along, far);
+  }
+  return d.triangles();
+}
+
+// A fan from the middle of the frame to the borders of the guard band, all the way round.
+std::vector<ScreenTriangle> guard_band_fan() {
+  constexpr int kTriangles = 64;
+  Drawing d(19);
+  // Along a side of the guard band's square, then along the next.
+  std::vector<Point> ring;
+  for (int i = 0; i < kTriangles; ++i) {
+    constexpr int kOnASide = kTriangles / 4;
+    const int along = std::min(
+        kLeast + i % kOnASide * (2 * kGuardPx / kOnASide) * kPx + d.random().in(0, 500 * kPx),
+        kGreatest);
+    const std::array<Point, 4> sides{
+        {{along, kLeast}, {kGreatest, along}, {-1 - along, kGreatest}, {kLeast, -1 - along}}};
+    ring.push_back(sides[static_cast<size_t>(i / kOnASide)]);
+  }
+  const Point middle = d.near({160 * kPx, 120 * kPx}, 20 * kPx);
+  for (size_t i = 0; i < ring.size(); ++i) {
+    d.add_shuffled(middle, ring[i], ring[(i + 1) % ring.size()]);
+  }
+  return d.triangles();
+}
+
+// A jittered mesh in the far corner of the widest frame, up to the border of the guard band.
+std::vector<ScreenTriangle> far_mesh() {
+  constexpr int kColumns = 60;
+  constexpr int kRows = 16;
+  constexpr int kSpacing = 4 * kPx;
+  Drawing d(20);
+  std::vector<Point> vertex;
+  for (int j = 0; j <= kRows; ++j) {
+    for (int i = 0; i <= kColumns; ++i) {
+      const bool inside = i > 0 && i < kColumns && j > 0 && j < kRows;
+      const Point p{kGreatest - (kColumns - i) * kSpacing, j * kSpacing};
+      vertex.push_back(inside ? d.near(p, kSpacing / 5) : p);
+    }
+  }
+  for (int j = 0; j < kRows; ++j) {
+    for (int i = 0; i < kColumns; ++i) {
+      const auto at = [&](int column, int row) {
+        return vertex[static_cast<size_t>(row * (kColumns + 1) + column)];
+      };
+      d.add_shuffled(at(i, j), at(i + 1, j), at(i, j + 1));
+      d.add_shuffled(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    }
   }
   return d.triangles();
 }
@@ -155,6 +204,11 @@ std::vector<HardCase> limit_cases() {
   return {
       {"huge", "corners of the guard band, and edges of 8000 px through the frame",
        "exact coverage and values; nothing saturates", frame(24, 16), huge},
+      {"guard_band_fan", "a fan from the middle of the frame to the borders of the guard band",
+       "every sample exactly once", frame(320, 240), guard_band_fan},
+      {"far_mesh", "small triangles 16,000 px from the origin, up to the border of the guard band",
+       "every sample exactly once; single-precision setup leaves holes", frame(16384, 64),
+       far_mesh},
       {"beyond_guard_band", "one component from 16384 px to infinity",
        "saturated at the guard band and counted, never wrapped", frame(24, 16), beyond_guard_band},
       {"odd_frame_641x479", "triangles over all borders of a frame that cuts stamps and tiles",

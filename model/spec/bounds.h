@@ -20,16 +20,20 @@ namespace pineda::spec {
 inline double reciprocal_error_bound(const Design& d) {
   struct Found {
     int lut_bits, newton_steps, k;
-    double bound;
+    double good_bits;
   };
-  static constexpr Found kFound[] = {{7, 2, 30, 1.401e-9}};  // 2^-29.41
+  static constexpr Found kFound[] = {{8, 1, 19, 17.29},   // low
+                                     {10, 1, 22, 21.04},  // med
+                                     {12, 1, 26, 24.97},  // med_plus
+                                     {7, 2, 30, 29.41},   // high, high_tile
+                                     {8, 2, 32, 31.41}};  // high_plus
   const double t = std::exp2(-(d.reciprocal_bits + 2));
   switch (d.reciprocal_scheme) {
     case ReciprocalScheme::kNewton: {
       for (const Found& f : kFound) {
         if (f.lut_bits == d.reciprocal_lut_bits && f.newton_steps == d.reciprocal_newton_steps &&
             f.k == d.reciprocal_bits) {
-          return f.bound;
+          return std::exp2(-f.good_bits);
         }
       }
       double error = .625 * std::exp2(-d.reciprocal_lut_bits);

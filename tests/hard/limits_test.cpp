@@ -15,6 +15,21 @@ using test::kGuardHigh;
 using test::kGuardLow;
 
 // Opposite halves of the guard band's square share a diagonal; each half is drawn both ways round.
+TEST(GuardBandFan, HitsEverySampleExactlyOnce) {
+  const Snapped scene = snapped("guard_band_fan");
+  EXPECT_EQ(scene.counters.saturated, 0u);
+  const auto hits = drawn(scene).buffer().hits;
+  EXPECT_EQ(std::count(hits.begin(), hits.end(), 1), 320 * 240);
+}
+
+TEST(FarMesh, HitsEverySampleOfItsCornerExactlyOnce) {
+  const Snapped scene = snapped("far_mesh");
+  const auto hits = drawn(scene).buffer().hits;
+  // 240 px wide up to the last subpixel before the border, all 64 rows.
+  EXPECT_EQ(std::count(hits.begin(), hits.end(), 1), 240 * 64);
+  EXPECT_EQ(std::count(hits.begin(), hits.end(), 0), (16384 - 240) * 64);
+}
+
 TEST(Huge, IsExactAndSaturatesNothing) {
   const Snapped scene = snapped("huge");
   EXPECT_EQ(scene.counters.saturated, 0u);
