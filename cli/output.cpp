@@ -26,6 +26,11 @@ const char* name_of(spec::DepthFunc func) {
 Output::Output(const Options& options)
     : json_(options.json), quiet_(options.quiet), file_(options.json == "-" ? stderr : stdout) {}
 
+void Output::put(const std::string& text) const {
+  const bool written = std::fwrite(text.data(), 1, text.size(), file_) == text.size();
+  if (!written && file_ == stdout) flush_stdout();
+}
+
 void Output::row(const std::string& name, const std::string& value) const {
   line("  {:<22}{}", name, value);
 }
@@ -59,7 +64,8 @@ void Progress::update(const char* phase, uint64_t done) {
   if (now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
   dirty_ = true;
-  fmt::print(stderr, "\r\033[K{}: {} triangles", phase, grouped(done));
+  fmt::print(stderr, "\r\033[K{}{}", phase,
+             done == 0 ? std::string() : fmt::format(": {} triangles", grouped(done)));
   std::fflush(stderr);
 }
 

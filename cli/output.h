@@ -23,7 +23,7 @@ class Output {
 
   template <class... Args>
   void line(fmt::format_string<Args...> format, Args&&... args) const {
-    if (!quiet_) fmt::print(file_, "{}\n", fmt::format(format, std::forward<Args>(args)...));
+    if (!quiet_) put(fmt::format(format, std::forward<Args>(args)...) + "\n");
   }
   /// A name and what it is, in columns.
   void row(const std::string& name, const std::string& value) const;
@@ -33,6 +33,8 @@ class Output {
   void json(const Json& value) const;
 
  private:
+  void put(const std::string& text) const;
+
   std::string json_;
   bool quiet_;
   std::FILE* file_;
