@@ -177,7 +177,7 @@ int run(const CheckOptions& options) {
   Progress progress(options);
   const auto bench = bench_options(options, contract);
   const scene::Scene scene = open(options, contract, true);
-  const tb::RtlLibrary library(contract);
+  const tb::RtlLibrary library(contract, [&](const std::string& text) { output.say(text); });
   const Json header = header_json(scene, contract);
   const std::string settings =
       fmt::format("cull {}, depth {}, depth latency {} cycles, stalls {}, seed {}",

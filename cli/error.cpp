@@ -29,6 +29,12 @@ std::vector<spec::Design> designs_of(const ErrorOptions& options) {
     Options one = options;
     one.design = name;
     designs.push_back(contract_of(one).design);
+    if (!studies::same_formats(designs.front(), designs.back())) {
+      throw UsageError(
+          fmt::format("--design: expected designs that take the same input as {} (subpixel, guard, "
+                      "depth and attribute bits), got {}",
+                      designs.front().name, designs.back().name));
+    }
   }
   return designs;
 }

@@ -5,6 +5,7 @@
 
 #include "cli/options.h"
 #include "cli/output.h"
+#include "model/spec/design_file.h"
 #include "tb/rtl.h"
 
 namespace {
@@ -50,6 +51,9 @@ int run(int argc, char** argv) {
     fmt::print(stderr, "pineda: {} (see pineda --help)\n", error.what());
     return cli::kBadInput;
   } catch (const cli::UsageError& error) {
+    fmt::print(stderr, "pineda: {}\n", error.what());
+    return cli::kBadInput;
+  } catch (const spec::DesignFileError& error) {
     fmt::print(stderr, "pineda: {}\n", error.what());
     return cli::kBadInput;
   } catch (const scene::InputError& error) {

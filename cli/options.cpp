@@ -4,6 +4,8 @@
 
 #include <charconv>
 
+#include "model/spec/design_file.h"
+
 namespace pineda::cli {
 namespace {
 
@@ -38,7 +40,7 @@ void add_scene_options(CLI::App* command, Options* o) {
       ->required()
       ->type_name("SCENE");
   command->add_option("--design", o->design, "Design point, see `pineda designs`")
-      ->type_name("NAME")
+      ->type_name("NAME|FILE.toml")
       ->capture_default_str();
   command->add_option("--seed", o->seed, "Seed of what is random: the stalls of --stall")
       ->type_name("N")
@@ -90,12 +92,18 @@ void add_time_options(CLI::App* command, Options* o) {
 }
 
 spec::Contract contract_of(const Options& options) {
-  const spec::Design* design = spec::find_design(options.design);
-  if (design != nullptr) return spec::contract(*design);
+  const std::string& name = options.design;
+  if (const auto* design = spec::find_design(name); design != nullptr) {
+    return spec::contract(*design);
+  }
+  if (name.size() > 5 && name.substr(name.size() - 5) == ".toml") {
+    return spec::contract(spec::read_design(name));
+  }
   std::string known;
   for (const auto& d : spec::designs())
     known += fmt::format("{}{}", known.empty() ? "" : ", ", d.name);
-  throw UsageError(fmt::format("--design: expected one of {}, got '{}'", known, options.design));
+  throw UsageError(fmt::format("--design: expected one of {}, or a file .toml, got '{}'", known,
+                               options.design));
 }
 
 namespace {

@@ -51,7 +51,8 @@ void add_scene_options(CLI::App* command, Options* options);
 /// Adds --latency and --stall.
 void add_time_options(CLI::App* command, Options* options);
 
-/// The design by name. Throws UsageError that lists the designs there are.
+/// The design by name or from its file. Throws UsageError that lists the designs there are, or
+/// spec::DesignFileError.
 spec::Contract contract_of(const Options& options);
 /// The same for commands that need cycles, or the RTL; UsageError where the design has none.
 spec::Contract timed_contract_of(const Options& options);

@@ -37,6 +37,10 @@ void Output::row(const std::string& name, const std::string& value) const {
 
 void Output::warn(const std::string& text) const { fmt::print(stderr, "pineda: {}\n", text); }
 
+void Output::say(const std::string& text) const {
+  if (!quiet_) warn(text);
+}
+
 void Output::json(const Json& value) const {
   if (json_.empty()) return;
   const std::string text = value.dump(2) + "\n";

@@ -29,6 +29,8 @@ class Output {
   void row(const std::string& name, const std::string& value) const;
   /// A remark on the input that a reader must not miss: to standard error, even with --quiet.
   void warn(const std::string& text) const;
+  /// A remark on what takes its time: to standard error, not with --quiet.
+  void say(const std::string& text) const;
   /// Writes the JSON where --json wants it. Throws scene::InputError if it cannot.
   void json(const Json& value) const;
 

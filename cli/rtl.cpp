@@ -49,7 +49,7 @@ int run(const RtlOptions& options) {
   Progress progress(options);
   const auto bench_opts = bench_options(options, contract);
   const scene::Scene scene = open(options, contract, options.bench > 0 && !options.dump.empty());
-  const tb::RtlLibrary library(contract);
+  const tb::RtlLibrary library(contract, [&](const std::string& text) { output.say(text); });
   auto bench = std::make_unique<tb::FrameBench>(library, bench_opts);
   TraceFile trace(options.trace, bench.get());
 

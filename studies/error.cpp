@@ -151,10 +151,7 @@ Contestants contestants(const spec::FrameState& frame, const ErrorOptions& optio
   const spec::Design& first = options.designs.at(0);
   Contestants all;
   for (const spec::Design& d : options.designs) {
-    const auto same = [&](int spec::Design::*p) { return d.*p == first.*p; };
-    if (!same(&spec::Design::subpixel_bits) || !same(&spec::Design::guard_bits) ||
-        !same(&spec::Design::depth_bits) || !same(&spec::Design::attributes) ||
-        !same(&spec::Design::attribute_bits)) {
+    if (!same_formats(d, first)) {
       throw std::invalid_argument("study_errors: designs of different formats");
     }
     all.push_back(std::make_unique<DesignContestant>(d, frame, options.maps));
@@ -199,6 +196,12 @@ bool Subject::holds() const {
 bool ErrorStudy::holds() const {
   return std::all_of(subjects.begin(), subjects.end(),
                      [](const Subject& s) { return !s.is_design || s.holds(); });
+}
+
+bool same_formats(const spec::Design& a, const spec::Design& b) {
+  return a.subpixel_bits == b.subpixel_bits && a.guard_bits == b.guard_bits &&
+         a.depth_bits == b.depth_bits && a.attributes == b.attributes &&
+         a.attribute_bits == b.attribute_bits;
 }
 
 int64_t count_samples(const std::vector<SceneTriangle>& triangles, const spec::FrameState& frame,

@@ -77,6 +77,9 @@ struct ErrorOptions {
   std::function<void(const char* what, uint64_t done)> progress;
 };
 
+/// Do two designs take a scene the same way: coordinates, depth, attributes?
+bool same_formats(const spec::Design& a, const spec::Design& b);
+
 /// Samples that exact arithmetic covers, hidden ones included; stops counting beyond `limit`.
 int64_t count_samples(const std::vector<SceneTriangle>& triangles, const spec::FrameState& frame,
                       const spec::Design& design, int64_t limit);

@@ -5,27 +5,39 @@
 
 #include <filesystem>
 
+#include "model/spec/design_file.h"
 #include "model/spec/package.h"
+#include "tb/plugin_cache.h"
 
 namespace pineda::tb {
 namespace {
 
-// The build tree's lib/, beside the program or one level up, wherever the program is called from.
-std::string plugin_file(const std::string& design) {
+// The build tree's lib/, beside the program or one level up, wherever the program is called from;
+// empty when it has none of this design.
+std::string built_plugin(const spec::Design& design) {
   namespace fs = std::filesystem;
+  const spec::Design* named = spec::find_design(design.name);
+  // A design from a file may have taken the name of another.
+  if (named == nullptr || spec::design_toml(*named) != spec::design_toml(design)) return {};
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
-  const std::string name = fmt::format("pineda_rtl_{}.so", design);
+  const std::string name = fmt::format("pineda_rtl_{}.so", design.name);
   for (const auto& folder : {program / "lib", program / ".." / "lib"}) {
     if (fs::exists(folder / name)) return (folder / name).string();
   }
-  throw PluginError(fmt::format("no RTL of design '{}': {} is not in {}", design, name,
-                                (program / "lib").string()));
+  return {};
+}
+
+std::string plugin_file(const spec::Contract& contract,
+                        const std::function<void(const std::string&)>& say) {
+  const std::string built = built_plugin(contract.design);
+  return built.empty() ? cached_plugin(contract, say) : built;
 }
 
 }  // namespace
 
-RtlLibrary::RtlLibrary(const spec::Contract& contract)
-    : RtlLibrary(contract, plugin_file(contract.design.name)) {}
+RtlLibrary::RtlLibrary(const spec::Contract& contract,
+                       const std::function<void(const std::string&)>& say)
+    : RtlLibrary(contract, plugin_file(contract, say)) {}
 
 RtlLibrary::RtlLibrary(const spec::Contract& contract, const std::string& file)
     : contract_(contract) {

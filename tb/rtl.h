@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -24,11 +25,13 @@ class PluginError : public RtlError {
   using RtlError::RtlError;
 };
 
-/// The loaded plug-in of a design. Throws PluginError if it is missing, or built from another
-/// package.
+/// The loaded plug-in of a design: that of the build, or else one from the cache, which is built
+/// there the first time (see plugin_cache.h). Throws PluginError if it cannot be had, or was built
+/// from another package.
 class RtlLibrary {
  public:
-  explicit RtlLibrary(const spec::Contract& contract);
+  explicit RtlLibrary(const spec::Contract& contract,
+                      const std::function<void(const std::string&)>& say = {});
   /// The same from a given file.
   RtlLibrary(const spec::Contract& contract, const std::string& file);
   ~RtlLibrary();

@@ -1,10 +1,11 @@
-// emit_package DESIGN FOLDER: writes pineda_pkg.sv of a named design; with --bench also what its
-// plug-in is built from: loopback.sv, loopback_ports.inc, package_hash.inc.
+// emit_package DESIGN FOLDER: writes pineda_pkg.sv of a design, by name or as a file .toml; with
+// --bench also what its plug-in is built from: loopback.sv, loopback_ports.inc, package_hash.inc.
 #include <fmt/format.h>
 
 #include <fstream>
 #include <string>
 
+#include "model/spec/design_file.h"
 #include "model/spec/package.h"
 
 namespace {
@@ -17,26 +18,20 @@ bool write(const std::string& path, const std::string& text) {
   return static_cast<bool>(file);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int emit(const std::string& name, const std::string& folder, bool bench) {
   using namespace pineda::spec;
-  const bool bench = argc == 4 && std::string(argv[3]) == "--bench";
-  if (argc != 3 && !bench) {
-    fmt::print(stderr, "usage: emit_package DESIGN FOLDER [--bench]\n");
+  const bool is_file = name.size() > 5 && name.substr(name.size() - 5) == ".toml";
+  const Design* named = find_design(name);
+  if (!is_file && named == nullptr) {
+    fmt::print(stderr, "emit_package: unknown design '{}'\n", name);
     return 2;
   }
-  const Design* design = find_design(argv[1]);
-  if (design == nullptr) {
-    fmt::print(stderr, "emit_package: unknown design '{}'\n", argv[1]);
+  const Design design = is_file ? read_design(name) : *named;
+  if (const std::string reason = no_rtl_reason(design); !reason.empty()) {
+    fmt::print(stderr, "emit_package: {}: {}\n", design.name, reason);
     return 2;
   }
-  if (const std::string reason = no_rtl_reason(*design); !reason.empty()) {
-    fmt::print(stderr, "emit_package: {}: {}\n", design->name, reason);
-    return 2;
-  }
-  const Contract c = contract(*design);
-  const std::string folder = argv[2];
+  const Contract c = contract(design);
   bool good = write(folder + "/pineda_pkg.sv", package_text(c));
   if (bench) {
     good = write(folder + "/package_hash.inc", fmt::format("{:#x}u\n", package_hash(c))) && good;
@@ -44,4 +39,20 @@ int main(int argc, char** argv) {
     good = write(folder + "/loopback_ports.inc", loopback_ports(c)) && good;
   }
   return good ? 0 : 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool bench = argc == 4 && std::string(argv[3]) == "--bench";
+  if (argc != 3 && !bench) {
+    fmt::print(stderr, "usage: emit_package DESIGN FOLDER [--bench]\n");
+    return 2;
+  }
+  try {
+    return emit(argv[1], argv[2], bench);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "emit_package: {}\n", error.what());
+    return 2;
+  }
 }

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
 
 #include "tests/cli/frames.h"
 #include "tests/cli/program.h"
@@ -86,12 +88,72 @@ TEST_F(FaultyRtl, MakesCheckExitOne) {
   EXPECT_NE(read_bytes(scratch_.path("out/report.html")).find("does not hold"), std::string::npos);
 }
 
-TEST_F(FaultyRtl, WithoutAnyRtlOneLineSaysSo) {
+/// An environment variable for as long as this lives; the program inherits it.
+class Environment {
+ public:
+  Environment(const char* name, const std::string& value) : name_(name) {
+    if (const char* old = std::getenv(name); old != nullptr) old_ = old;
+    setenv(name, value.c_str(), 1);
+  }
+  ~Environment() {
+    if (old_) {
+      setenv(name_, old_->c_str(), 1);
+    } else {
+      unsetenv(name_);
+    }
+  }
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> old_;
+};
+
+TEST_F(FaultyRtl, WithoutAnyRtlAndNoToolsOneLineSaysSo) {
   std::filesystem::remove_all(scratch_.path("lib"));
+  const Environment no_tools("PATH", scratch_.path("nowhere"));
+  const Environment cache("PINEDA_CACHE", scratch_.path("cache"));
   const Outcome run = pineda({"rtl", "triangle"}, copy_);
   EXPECT_EQ(run.exit_code, 2) << run.err;
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
   EXPECT_NE(run.err.find("high_tile"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("verilator"), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path("cache")));
+}
+
+// A design of one's own: verilated the first time, taken from the cache the second.
+TEST(DesignFile, IsBuiltOnceAndHoldsThreeWays) {
+  const Scratch scratch;
+  const Environment cache("PINEDA_CACHE", scratch.path("cache"));
+  const Environment quick("CXXFLAGS", "-O0");
+  const std::string design =
+      scratch.write("own.toml",
+                    "base = \"low\"\nguard_bits = 10\ndepth_bits = 16\nattributes = 1\n"
+                    "tile_px = 4\nstamp_width_px = 2\nstamp_height_px = 1\n");
+  const std::string text = scratch.write("scene.tri", tri_text(frame("TileBorders")));
+  const Outcome first = pineda({"check", text, "--design", design, "--json", "-"});
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_NE(first.err.find("building the RTL of design 'own'"), std::string::npos) << first.err;
+  const Json json = first.json();
+  EXPECT_EQ(json.at("design"), "own");
+  EXPECT_EQ(json.at("mismatches"), 0);
+  EXPECT_EQ(json.at("cycles").at("model"), json.at("cycles").at("rtl"));
+  EXPECT_EQ(json.at("coverage").at("missing"), 0);
+  EXPECT_EQ(json.at("coverage").at("extra"), 0);
+  const Outcome second = pineda({"check", text, "--design", design, "--quiet"});
+  EXPECT_TRUE(ended_silently(second));
+}
+
+TEST(DesignFile, BadOneIsRefusedWithItsLine) {
+  const Scratch scratch;
+  const std::string design = scratch.write("bad.toml", "# mine\ndepth_bits = 12\n");
+  for (const char* command : {"render", "time", "check", "error"}) {
+    EXPECT_TRUE(
+        is_refused(pineda({command, "triangle", "--design", design}), "bad.toml:2: expected"))
+        << command;
+  }
+  EXPECT_TRUE(is_refused(pineda({"render", "triangle", "--design", "no.toml"}), "no.toml"));
 }
 
 }  // namespace

@@ -1,0 +1,24 @@
+// Plug-ins of designs that the build does not carry: verilated on demand, kept for the next time.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "model/spec/widths.h"
+
+namespace pineda::tb {
+
+/// The folder that they are kept in: $PINEDA_CACHE, $XDG_CACHE_HOME/pineda or ~/.cache/pineda.
+std::string plugin_cache_folder();
+
+/// The plug-in of this design in the cache; it is built there by tb/plugin.mk when it is missing,
+/// or when the RTL or the benches have changed since. `say` hears of a build before it starts, with
+/// how long it takes. Two processes may build the same one: the first that is done wins.
+///
+/// In       a design that has RTL.
+/// Errors   PluginError: a tool is missing, the sources are not there, the cache cannot be written,
+///          or the build failed (its log is kept and named).
+std::string cached_plugin(const spec::Contract& contract,
+                          const std::function<void(const std::string&)>& say);
+
+}  // namespace pineda::tb
