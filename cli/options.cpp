@@ -34,9 +34,10 @@ void add_output_options(CLI::App* command, Options* o) {
 
 void add_scene_options(CLI::App* command, Options* o) {
   command
-      ->add_option("scene", o->scene,
-                   "A .tri, .ptrb or .obj file, - for a .ptrb on standard input, or built in: "
-                   "see `pineda scenes`")
+      ->add_option(
+          "scene", o->scene,
+          "A .tri, .ptrb, .obj, .ply, .gltf or .glb file, - for a .ptrb on standard input, "
+          "or built in: see `pineda scenes`")
       ->required()
       ->type_name("SCENE");
   command->add_option("--design", o->design, "Design point, see `pineda designs`")

@@ -11,8 +11,8 @@
 namespace pineda::studies {
 namespace {
 
-constexpr int kPx = 256;
-constexpr int kGuardLow = -(kPx << 14);
+constexpr int64_t kPx = 256;
+constexpr int kGuardLow = -(256 << 14);
 constexpr int kGuardHigh = -kGuardLow - 1;
 constexpr int64_t kMaxDepthInput = ((int64_t{1} << 24) - 1) << 8;
 constexpr spec::FrameState kHugeFrame{16384, 16384, spec::Cull::kNone, spec::DepthFunc::kLess};

@@ -47,20 +47,22 @@ struct CodeSink {
   Codes* codes;
   void prim(const spec::SetupPrim&) {}
   void stamp(const spec::Stamp&) {}
-  void fragment(const spec::Stamp& stamp, const spec::Fragment& fragment) {
+  void fragment(const spec::Stamp& stamp, const spec::Fragment& fragment) const {
     const int columns = 1 << design.stamp_width_log2;
     for (uint32_t mask = stamp.mask; mask != 0; mask &= mask - 1) {
       const int lane = __builtin_ctz(mask);
       const int x = stamp.x * columns + lane % columns;
       const int y = (stamp.y << design.stamp_height_log2) + lane / columns;
-      (*codes)[static_cast<size_t>(y * width + x)] = fragment.z[static_cast<size_t>(lane)];
+      const auto index =
+          static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+      (*codes)[index] = fragment.z[static_cast<size_t>(lane)];
     }
   }
 };
 
 /// A triangle of some 300 px over the whole window and one inside it, on one steep plane.
 std::pair<spec::Triangle, spec::Triangle> coplanar_pair(Random& random) {
-  constexpr int kPx = 256;
+  constexpr int64_t kPx = 256;
   const int64_t gx = random.in(-16000, 16000);
   const int64_t gy = random.in(-16000, 16000);
   const int64_t middle = (int64_t{1} << 31) + random.in(0, 1 << 20);
@@ -96,7 +98,7 @@ int64_t setup_product_bits(const spec::Design& d) {
   bits += plane(w.depth_in, w.depth_numerator, w.depth_plane);
   bits += 4 * plane(d.attribute_bits, w.attr_numerator, w.attr_plane);
   if (d.reciprocal_scheme == spec::ReciprocalScheme::kNewton) {
-    bits += 2 * d.reciprocal_newton_steps * (k + 2) * (k + 2);
+    bits += int64_t{2} * d.reciprocal_newton_steps * (k + 2) * (k + 2);
   }
   return bits;
 }
@@ -143,7 +145,7 @@ double coplanar_difference(const spec::Design& design, int pairs, uint64_t seed)
   uint64_t different = 0;
   for (int n = 0; n < pairs; ++n) {
     const auto [outer, inner] = coplanar_pair(random);
-    Codes first(kWidth * kHeight, -1);
+    Codes first(size_t{kWidth} * kHeight, -1);
     Codes second = first;
     core::draw_triangle(contract, frame, {}, outer, &counters, CodeSink{design, kWidth, &first});
     core::draw_triangle(contract, frame, {}, inner, &counters, CodeSink{design, kWidth, &second});

@@ -64,7 +64,7 @@ std::vector<Distribution::Octave> Distribution::octaves() const {
   for (int octave = 0; octave < kOctaves && !bins_.empty(); ++octave) {
     uint64_t count = 0;
     for (int i = 0; i < kBinsAnOctave; ++i) {
-      count += bins_[static_cast<size_t>(octave * kBinsAnOctave + i)];
+      count += bins_[static_cast<size_t>(octave) * kBinsAnOctave + static_cast<size_t>(i)];
     }
     octaves.push_back({octave + kLowOctave, count});
   }

@@ -24,7 +24,8 @@ int inside_guard(double coordinate) {
 Point point(double x, double y) { return {inside_guard(x), inside_guard(y)}; }
 
 Point in_window(Random& random) {
-  return {random.coordinate(0, kWindow.width * kPx), random.coordinate(0, kWindow.height * kPx)};
+  return {random.coordinate(0, int64_t{kWindow.width} * kPx),
+          random.coordinate(0, int64_t{kWindow.height} * kPx)};
 }
 
 Point around(Random& random, Point centre, int reach) {
@@ -103,7 +104,8 @@ spec::Triangle random_triangle(Random& random, Shape shape) {
   switch (shape) {
     case Shape::k16Px: {
       const int edge = 16384 * kPx;
-      const Point centre{random.coordinate(-4 * kPx, edge), random.coordinate(-4 * kPx, edge)};
+      const int64_t low = int64_t{-4} * kPx;
+      const Point centre{random.coordinate(low, edge), random.coordinate(low, edge)};
       return triangle(around(random, centre, 8 * kPx), around(random, centre, 8 * kPx),
                       around(random, centre, 8 * kPx));
     }

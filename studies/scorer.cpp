@@ -17,7 +17,7 @@ struct FragmentSink {
   Scorer* to;
   void prim(const spec::SetupPrim&) {}
   void stamp(const spec::Stamp&) {}
-  void fragment(const spec::Stamp& stamp, const spec::Fragment& fragment) {
+  void fragment(const spec::Stamp& stamp, const spec::Fragment& fragment) const {
     const int width = 1 << design.stamp_width_log2;
     for (uint32_t mask = stamp.mask; mask != 0; mask &= mask - 1) {
       const int lane = __builtin_ctz(mask);
@@ -49,11 +49,11 @@ void Scorer::begin(const Truth& truth) {
   seen_.assign(truth.samples().size(), 0);
 }
 
-void Scorer::sample(const baseline::Sample& got) {
-  const int64_t index = truth_->find(got.x, got.y);
+void Scorer::sample(const baseline::Sample& sample) {
+  const int64_t index = truth_->find(sample.x, sample.y);
   if (index < 0 || seen_[static_cast<size_t>(index)] != 0) {
     ++subject_->extra;
-    wrong(pixel(got.x, got.y), kExtra);
+    wrong(pixel(sample.x, sample.y), kExtra);
     return;
   }
   seen_[static_cast<size_t>(index)] = 1;
@@ -61,10 +61,11 @@ void Scorer::sample(const baseline::Sample& got) {
   std::array<double, 4> error{};
   std::array<bool, 4> misrounded{};
   for (size_t i = 0; i < attributes_; ++i) {
-    error[i] = truth.affine[i].error_of(got.rgba[i]);
-    misrounded[i] = got.rgba[i] != truth.affine[i].nearest;
+    error[i] = truth.affine[i].error_of(sample.rgba[i]);
+    misrounded[i] = sample.rgba[i] != truth.affine[i].nearest;
   }
-  values(pixel(got.x, got.y), truth.z.error_of(got.z), got.z != truth.z.nearest, error, misrounded);
+  values(pixel(sample.x, sample.y), truth.z.error_of(sample.z), sample.z != truth.z.nearest, error,
+         misrounded);
 }
 
 void Scorer::end() {

@@ -42,7 +42,7 @@ ExactPlanes::Plane ExactPlanes::plane(const Contract& c, const Triangle& t,
       sign * (d2 * (int64_t{v[1].x} - v[0].x) - d1 * (int64_t{v[2].x} - v[0].x));
   const int64_t half = int64_t{1} << (c.design.subpixel_bits - 1);
   const int128_t at_origin =
-      int128_t{value[0]} * (sign * area2_) + step_x * (half - v[0].x) + step_y * (half - v[0].y);
+      int128_t{value[0]} * sign * area2_ + step_x * (half - v[0].x) + step_y * (half - v[0].y);
   Plane p;
   p.denominator = (sign * area2_) << fraction_bits;
   p.dx = divide(step_x * (1 << c.design.subpixel_bits), p.denominator);

@@ -67,7 +67,8 @@ std::vector<ScreenTriangle> far_mesh() {
   for (int j = 0; j < kRows; ++j) {
     for (int i = 0; i < kColumns; ++i) {
       const auto at = [&](int column, int row) {
-        return vertex[static_cast<size_t>(row * (kColumns + 1) + column)];
+        const auto index = static_cast<size_t>(row) * (kColumns + 1) + static_cast<size_t>(column);
+        return vertex[index];
       };
       d.add_shuffled(at(i, j), at(i + 1, j), at(i, j + 1));
       d.add_shuffled(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));

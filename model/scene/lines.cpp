@@ -17,7 +17,8 @@ namespace {
 
 constexpr const char* kBlanks = " \t\r\v\f";
 
-// What a message quotes: short, and printable whatever the file holds.
+}  // namespace
+
 std::string quoted(const std::string& text) {
   constexpr size_t kLongest = 40;
   std::string shown = text.substr(0, kLongest);
@@ -26,8 +27,6 @@ std::string quoted(const std::string& text) {
   }
   return "'" + shown + (text.size() > kLongest ? "...'" : "'");
 }
-
-}  // namespace
 
 std::unique_ptr<std::istream> open_file(const std::string& path) {
   std::error_code unreadable;  // found again, with its cause, when the file is opened

@@ -12,6 +12,9 @@ namespace pineda::scene {
 /// Opens a file for reading, or throws InputError with the system's reason.
 std::unique_ptr<std::istream> open_file(const std::string& path);
 
+/// What a message quotes of a file: short, and printable whatever the file holds.
+std::string quoted(const std::string& text);
+
 /// Reads a text line by line and splits each into words. Words are separated by blanks; a carriage
 /// return counts as a blank, so files with CR LF line ends read the same.
 class LineReader {
@@ -29,6 +32,8 @@ class LineReader {
   const std::vector<const char*>& words() const { return words_; }
   bool is(const char* keyword) const;
   uint64_t line() const { return line_; }
+  /// The stream, just behind the line, for a file that goes on in another format.
+  std::istream& stream() { return *stream_; }
 
   /// Word `i` as a number, whatever strtof returns; throws if it is none.
   float number(size_t i) const;

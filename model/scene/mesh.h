@@ -14,6 +14,7 @@ struct Mesh {
   std::vector<Vec3> position;
   std::vector<Vec3> normal;  // unit length, one a position
   std::vector<Rgba> color;   // one a position; empty: shaded from the normals
+  bool is_lit = false;       // the colours are materials', shaded from the normals too
   std::vector<std::array<uint32_t, 3>> triangle;
 
   /// A triangle with a coordinate that is NaN or infinite cannot be projected.

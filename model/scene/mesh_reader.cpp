@@ -6,14 +6,22 @@
 namespace pineda::scene {
 namespace {
 
-constexpr Vec3 kClay = {232, 190, 140};  // a mesh without colours
+constexpr std::array<double, 4> kClay = {232, 190, 140, 255};  // a mesh without colours
 constexpr double kAmbient = .2;
 
 // Diffuse light from the upper left behind the eye, so that a form shows from wherever it is seen.
-std::array<double, 4> shade(const Vec3& normal, const View& view) {
-  const Vec3 light = normalized(-.45 * view.right + .55 * view.up + .7 * view.back);
-  const double intensity = kAmbient + (1 - kAmbient) * std::max(0.0, dot(normal, light));
-  return {intensity * kClay[0], intensity * kClay[1], intensity * kClay[2], 255};
+double light(const Vec3& normal, const View& view) {
+  const Vec3 lamp = normalized(-.45 * view.right + .55 * view.up + .7 * view.back);
+  return kAmbient + (1 - kAmbient) * std::max(0.0, dot(normal, lamp));
+}
+
+std::array<double, 4> shaded(const Mesh& mesh, size_t i, const View& view) {
+  std::array<double, 4> rgba = kClay;
+  if (!mesh.color.empty()) std::copy(mesh.color[i].begin(), mesh.color[i].end(), rgba.begin());
+  if (!mesh.color.empty() && !mesh.is_lit) return rgba;
+  const double intensity = light(mesh.normal[i], view);
+  for (size_t k = 0; k < 3; ++k) rgba[k] *= intensity;
+  return rgba;
 }
 
 }  // namespace
@@ -26,11 +34,7 @@ MeshReader::MeshReader(const Mesh& mesh, const View& view, int width, int height
       triangles_(mesh.triangle) {
   for (size_t i = 0; i < vertices_.size(); ++i) {
     vertices_[i].position = view.clip(mesh.position[i]);
-    if (mesh.color.empty()) {
-      vertices_[i].rgba = shade(mesh.normal[i], view);
-    } else {
-      std::copy(mesh.color[i].begin(), mesh.color[i].end(), vertices_[i].rgba.begin());
-    }
+    vertices_[i].rgba = shaded(mesh, i, view);
   }
   drawable_.reserve(triangles_.size());
   for (const auto& t : triangles_) drawable_.push_back(mesh.is_finite(t));

@@ -10,6 +10,7 @@
 
 #include "model/scene/error.h"
 #include "model/scene/lines.h"
+#include "model/scene/normals.h"
 
 namespace pineda::scene {
 namespace {
@@ -140,24 +141,18 @@ std::vector<tinyobj::index_t> corners(const std::string& file) {
   return all;
 }
 
-// Per position: the mean of the normals of the faces around it, weighted by their areas.
-std::vector<Vec3> mean_normals(const std::vector<Vec3>& position,
-                               const std::vector<tinyobj::index_t>& corner) {
-  std::vector<Vec3> sum(position.size());
-  for (size_t i = 0; i + 2 < corner.size(); i += 3) {
-    std::array<size_t, 3> v;
-    for (size_t k = 0; k < 3; ++k) v[k] = static_cast<size_t>(corner[i + k].vertex_index);
-    const Vec3 n = cross(position[v[1]] - position[v[0]], position[v[2]] - position[v[0]]);
-    if (!is_finite(n)) continue;
-    for (const size_t k : v) sum[k] = sum[k] + n;
+// The faces by their positions alone, whatever their normals.
+std::vector<std::array<uint32_t, 3>> faces(const std::vector<tinyobj::index_t>& corner) {
+  std::vector<std::array<uint32_t, 3>> all(corner.size() / 3);
+  for (size_t i = 0; i < 3 * all.size(); ++i) {
+    all[i / 3][i % 3] = static_cast<uint32_t>(corner[i].vertex_index);
   }
-  for (Vec3& n : sum) n = normalized(n);
-  return sum;
+  return all;
 }
 
 // A mesh vertex for each pair of position and normal that occurs.
 Mesh build(const Scan& scan, const std::vector<tinyobj::index_t>& corner) {
-  const auto mean = mean_normals(scan.position, corner);
+  const auto mean = mean_normals(scan.position, faces(corner));
   const bool colored = scan.color.size() == scan.position.size();
   Mesh mesh;
   std::unordered_map<uint64_t, uint32_t> known;

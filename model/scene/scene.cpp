@@ -9,10 +9,12 @@
 #include <utility>
 
 #include "model/scene/builtin.h"
+#include "model/scene/gltf_reader.h"
 #include "model/scene/hard_cases.h"
 #include "model/scene/lines.h"
 #include "model/scene/mesh_reader.h"
 #include "model/scene/obj_reader.h"
+#include "model/scene/ply_reader.h"
 #include "model/scene/ptrb_reader.h"
 #include "model/scene/tri_reader.h"
 
@@ -111,9 +113,20 @@ Scene open_mesh(const spec::Contract& contract, const std::string& name, const M
                                               contract.design.guard_bits));
 }
 
-Scene open_obj(const spec::Contract& contract, const std::string& path, const Options& options) {
+using MeshFileReader = Mesh (*)(const std::string& file, std::vector<std::string>* warnings);
+
+// nullptr: no file of a mesh
+MeshFileReader mesh_file_reader(const std::string& ending) {
+  if (ending == ".obj") return read_obj;
+  if (ending == ".ply") return read_ply;
+  if (ending == ".gltf" || ending == ".glb") return read_gltf;
+  return nullptr;
+}
+
+Scene open_mesh_file(const spec::Contract& contract, const std::string& path,
+                     const Options& options, MeshFileReader read) {
   std::vector<std::string> warnings;
-  const Mesh mesh = read_obj(path, &warnings);
+  const Mesh mesh = read(path, &warnings);
   Scene scene = open_mesh(contract, path, mesh, options);
   scene.warnings = std::move(warnings);
   return scene;
@@ -153,13 +166,14 @@ Scene open_hard(const spec::Contract& contract, const std::string& name, const O
 
 Scene open_scene(const spec::Contract& contract, const std::string& name, const Options& options) {
   const std::string ending = std::filesystem::path(name).extension().string();
-  const bool is_mesh = ending == ".obj" || name == "teapot";
+  const MeshFileReader read_mesh = mesh_file_reader(ending);
+  const bool is_mesh = read_mesh != nullptr || name == "teapot";
   refuse(name, options.tessellate && name != "teapot", "tessellation", "it is for teapot");
   refuse(name, options.camera && !is_mesh, "camera", "it is for meshes");
   if (name == "teapot") return open_teapot(contract, name, options);
   if (name == "triangle") return open_list(contract, name, options, {64, 64}, single_triangle);
   if (name == "grid") return open_list(contract, name, options, Size{}, jittered_grid);
-  if (ending == ".obj") return open_obj(contract, name, options);
+  if (read_mesh != nullptr) return open_mesh_file(contract, name, options, read_mesh);
   if (ending == ".tri") {
     refuse_frame_options(name, options);
     return open_tri(contract, name);
@@ -170,8 +184,8 @@ Scene open_scene(const spec::Contract& contract, const std::string& name, const 
   }
   if (name.compare(0, kHard.size(), kHard) == 0) return open_hard(contract, name, options);
   throw InputError(name,
-                   "expected a scene: a file .tri, .ptrb or .obj, - for a .ptrb on standard input, "
-                   "or teapot, triangle, grid, hard/NAME (see pineda scenes)");
+                   "expected a scene: a file .tri, .ptrb, .obj, .ply, .gltf or .glb, - for a .ptrb "
+                   "on standard input, or teapot, triangle, grid, hard/NAME (see pineda scenes)");
 }
 
 std::vector<BuiltIn> built_in_scenes() {

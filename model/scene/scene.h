@@ -38,8 +38,8 @@ struct Scene {
   std::vector<std::string> warnings;  // found while opening, one line each
 };
 
-/// In       a path that ends in .tri, .ptrb or .obj; "-" for a .ptrb on standard input; or teapot,
-///          triangle, grid or hard/NAME, as built_in_scenes() lists them.
+/// In       a path that ends in .tri, .ptrb, .obj, .ply, .gltf or .glb; "-" for a .ptrb on standard
+///          input; or teapot, triangle, grid or hard/NAME, as built_in_scenes() lists them.
 /// Errors   InputError, one line, for everything that is wrong with the name, the options or the
 ///          file. A .tri line or a .ptrb vertex may be found wrong only by next().
 Scene open_scene(const spec::Contract& contract, const std::string& name, const Options& options);

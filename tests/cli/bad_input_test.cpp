@@ -36,6 +36,19 @@ BadFile obj(const std::string& name, const std::string& face, int line) {
           "bad.obj:" + std::to_string(line) + ": expected "};
 }
 
+BadFile ply(const std::string& name, const std::string& face, int line) {
+  return {name, "bad.ply",
+          "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+          "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+          "0 0 0\n1 0 0\n0 1 0\n" +
+              face,
+          "bad.ply:" + std::to_string(line) + ": expected "};
+}
+
+BadFile gltf(const std::string& name, const std::string& rest, const std::string& says) {
+  return {name, "bad.gltf", "{\"asset\": {\"version\": \"2.0\"}" + rest, "bad.gltf" + says};
+}
+
 std::vector<BadFile> text_files() {
   std::string late = kHead;
   for (int i = 0; i < 5000; ++i) late += kTriangle;
@@ -74,6 +87,16 @@ std::vector<BadFile> text_files() {
           vertex("WDenormal", "v 0 0 0 1e-40 1 2 3 4"),
           vertex("WInfinite", "v 0 0 0 inf 1 2 3 4"),
           vertex("WOverflows", "v 0 0 0 1e99 1 2 3 4"),
+          ply("PlyIndexTooGreat", "3 0 1 3\n", 13),
+          ply("PlyFaceOfTwo", "2 0 1\n", 13),
+          ply("PlyFaceMissing", "", 12),
+          gltf("GltfNoJson", ",\n", ":2: expected JSON"),
+          gltf("GltfEmpty", "}", ": expected triangles, got none"),
+          gltf("GltfCycle", ", \"nodes\": [{\"children\": [1]}, {\"children\": [1]}]}",
+               ": nodes[1]: expected a tree"),
+          gltf("GltfExtension", ", \"extensionsRequired\": [\"KHR_draco_mesh_compression\"]}",
+               ": extensionsRequired: expected none, got 'KHR_draco_mesh_compression'"),
+          {"GlbCut", "bad.glb", "glTF", "bad.glb: expected the header of a GLB"},
           obj("ObjIndexTooGreat", "f 1 2 4", 5),
           obj("ObjIndexZero", "f 0 1 2", 5),
           obj("ObjIndexTooNegative", "f -4 -1 -2", 5),
@@ -203,7 +226,8 @@ INSTANTIATE_TEST_SUITE_P(Binary, BadStream, testing::ValuesIn(binary_files()),
 TEST(MissingFile, IsNamedInOneLine) {
   const Scratch scratch;
   for (const auto& command : kSceneCommands) {
-    for (const char* name : {"none.tri", "none.ptrb", "none.obj", "no/such/folder.tri"}) {
+    for (const char* name :
+         {"none.tri", "none.ptrb", "none.obj", "none.ply", "none.glb", "no/such/folder.tri"}) {
       const Outcome run = pineda(with_outputs(command, name), inside(scratch.path(".")));
       EXPECT_TRUE(is_refused(run, name)) << command;
       EXPECT_EQ(scratch.files(), Arguments{}) << command;
@@ -213,7 +237,8 @@ TEST(MissingFile, IsNamedInOneLine) {
 
 TEST(FolderAsScene, IsRefused) {
   const Scratch scratch;
-  for (const char* name : {"folder.tri", "folder.ptrb", "folder.obj"}) {
+  for (const char* name :
+       {"folder.tri", "folder.ptrb", "folder.obj", "folder.ply", "folder.gltf"}) {
     std::filesystem::create_directory(scratch.path(name));
     EXPECT_TRUE(is_refused(pineda({"render", scratch.path(name)}), name));
   }

@@ -159,5 +159,19 @@ TEST(MeshReader, ColoursOfTheMeshStayAndShadedOnesShowTheForm) {
   }
 }
 
+TEST(MeshReader, LitColoursAreShadedAsTheFormIs) {
+  Mesh pot = teapot(2);
+  const View view = framing_view(pot, 64, 64);
+  SnappedSource clay(kContract, std::make_unique<MeshReader>(pot, view, 64, 64, 14));
+  pot.color.assign(pot.position.size(), {232, 190, 140, 255});  // clay, as a material's colour
+  pot.is_lit = true;
+  SnappedSource lit(kContract, std::make_unique<MeshReader>(pot, view, 64, 64, 14));
+  EXPECT_TRUE(same(all_triangles(&clay), all_triangles(&lit)));
+  pot.is_lit = false;
+  lit.rewind();
+  SnappedSource flat(kContract, std::make_unique<MeshReader>(pot, view, 64, 64, 14));
+  EXPECT_FALSE(same(all_triangles(&lit), all_triangles(&flat)));
+}
+
 }  // namespace
 }  // namespace pineda::scene

@@ -8,7 +8,8 @@ namespace {
 
 TEST(OpenScene, MissingFilesAndFoldersAreNamed) {
   const Scratch scratch;
-  for (const char* name : {"none.tri", "none.ptrb", "none.obj"}) {
+  for (const char* name :
+       {"none.tri", "none.ptrb", "none.obj", "none.ply", "none.gltf", "none.glb"}) {
     const auto path = scratch.path(name);
     EXPECT_TRUE(is_one_line_with(error_of(path), path + ": expected a file to read, got: No such"));
   }
@@ -18,7 +19,7 @@ TEST(OpenScene, MissingFilesAndFoldersAreNamed) {
 }
 
 TEST(OpenScene, UnknownNamesSayWhatASceneIs) {
-  for (const char* name : {"", "teapod", "mesh.gltf", "folder/teapot", ".tri"}) {
+  for (const char* name : {"", "teapod", "mesh.stl", "folder/teapot", ".tri"}) {
     EXPECT_TRUE(is_one_line_with(error_of(name), "expected a scene")) << name;
   }
 }
