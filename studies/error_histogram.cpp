@@ -13,7 +13,7 @@ namespace {
 constexpr double kWidthPx = 900;
 constexpr double kHeadPx = 112;
 constexpr double kRowPx = 38;
-constexpr double kBarsPx = 28;  // the height of a share of 1
+constexpr double kBarsPx = 30;  // the height of a share of 1
 constexpr double kFootPx = 66;
 constexpr double kNameRightPx = 168;
 constexpr double kZeroPx = 16;  // the bar of exact values
@@ -47,7 +47,7 @@ class Panel {
       if (named) svg->text({x, bottom + 18}, power_of_two(octave), {11, kGrey, Anchor::kMiddle});
     }
     svg->line({at(-1), kHeadPx - 8}, {at(-1), bottom}, {"none", kInk, 1, "3 3"});
-    svg->text({at(-1) + 4, bottom + 34}, "½", {11, kInk, Anchor::kEnd});
+    svg->text({at(-1), bottom + 32}, "½", {12, kInk, Anchor::kMiddle});
   }
 
   void draw_row(Svg* svg, const Subject& s, double base) const {
@@ -60,7 +60,7 @@ class Panel {
     const char* color = s.is_design ? kDesignColor : kBaselineColor;
     const auto bar = [&](double x, double width, uint64_t count) {
       const double share = static_cast<double>(count) / static_cast<double>(d.count());
-      const double height = std::max(kBarsPx * share, kHairlinePx);
+      const double height = std::max(kBarsPx * std::sqrt(share), kHairlinePx);
       if (count != 0) svg->rectangle({x + .5, base - height, width - 1, height}, {color});
     };
     bar(left_, kZeroPx, d.zeros());
@@ -107,12 +107,16 @@ class Panel {
 void draw_head(Svg* svg) {
   svg->text({24, 28}, "How large the errors are", {18, kInk, Anchor::kStart, true});
   svg->text({24, 48},
-            "Height: share of the values whose error lies in an octave; a hairline is less than 1 "
-            "in 20. Left of 2⁻⁸: all that are smaller, but not 0.",
+            "Height: share of the values with an error in that octave, as its square root. 0 is "
+            "apart; the first octave holds all smaller ones.",
             {12, kGrey});
   double x = 24;
   const auto entry = [&](const Paint& paint, const std::string& text) {
-    svg->rectangle({x, 61, paint.fill == std::string("none") ? 0. : 12., 12}, paint);
+    if (paint.stroke == std::string("none")) {
+      svg->rectangle({x, 61, 12, 12}, paint);
+    } else {
+      svg->line({x + 6, 58}, {x + 6, 76}, paint);
+    }
     svg->text({x + 18, 71}, text, {12, kInk});
     x += 18 + text_width(text, 12) + 18;
   };

@@ -25,8 +25,8 @@ struct Stop {
 };
 // Ever lighter, so that it can be read without its hues; a jump of hue where rounding ends.
 constexpr std::array<Stop, 7> kRamp{{{0, {10, 20, 56}},
-                                     {kRoundingShare, {30, 78, 150}},
-                                     {kRoundingShare, {130, 20, 110}},
+                                     {kRoundingShare, {24, 62, 130}},
+                                     {kRoundingShare, {142, 26, 112}},
                                      {.45, {196, 58, 80}},
                                      {.65, {237, 105, 37}},
                                      {.82, {251, 165, 10}},
@@ -91,13 +91,14 @@ std::vector<uint8_t> error_map_rgb(const ErrorMap& map, const ErrorScale& scale)
 }
 
 std::string error_scale_svg(const ErrorScale& scale) {
-  constexpr Box kStrip{12, 24, 520, 16};
-  constexpr int kSteps = 260;
+  constexpr Box kStrip{12, 24, 460, 16};
+  constexpr int kSteps = 230;
   constexpr double kTextY = kStrip.top + kStrip.height + 16;
   const bool depth = scale.quantity() == Quantity::kDepth;
   Svg svg(900, 64, "Colours of the error maps");
   svg.text({kStrip.left, 15},
-           depth ? "largest depth error of a pixel, ulp" : "largest colour error of a pixel, LSB",
+           depth ? "largest depth error of a pixel, ulp; blue: final rounding alone"
+                 : "largest colour error of a pixel, LSB; blue: final rounding alone",
            {12, kGrey});
   for (int i = 0; i < kSteps; ++i) {
     const double width = kStrip.width / kSteps;
@@ -113,15 +114,12 @@ std::string error_scale_svg(const ErrorScale& scale) {
     svg.text({x, kTextY}, text, {11, kGrey, Anchor::kMiddle});
   };
   tick(0, "0");
-  tick(kRounding, "½, rounding");
+  tick(kRounding, "½");
   const int decades = static_cast<int>(std::lround(std::log10(scale.greatest())));
-  for (int decade = 1; decade <= decades; ++decade) {
-    if (decade == decades ||
-        (decade < decades - 1 + (decades < 7) && (decades < 7 || decade % 2 == 1))) {
-      tick(std::pow(10, decade), power_of_ten(decade));
-    }
+  for (int decade = decades; decade > 0; decade -= decades > 6 ? 2 : 1) {
+    tick(std::pow(10, decade), power_of_ten(decade));
   }
-  double x = kStrip.right() + 34;
+  double x = kStrip.right() + 30;
   const std::array<std::pair<Rgb, const char*>, 3> swatches{
       {{kMissing, "sample missing"}, {kExtra, "one too many"}, {kNothing, "nothing drawn"}}};
   for (const auto& [color, text] : swatches) {

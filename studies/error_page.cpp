@@ -19,19 +19,18 @@ constexpr const char* kStyle =
     "max-width:72rem;padding:0 1rem}h1{font-size:1.5rem;margin:0 0 .2rem}"
     "h2{font-size:1.05rem;margin:2rem 0 .4rem}p{margin:.2rem 0 .6rem;max-width:52rem}"
     ".good{color:#12703a;font-weight:600}.bad{color:#b3261e;font-weight:600}"
-    "svg{max-width:100%;height:auto}.pair{display:flex;flex-wrap:wrap;gap:1rem}"
-    ".pair>div{flex:1 1 26rem}"
+    "svg{max-width:100%;height:auto;display:block;margin-bottom:1rem}"
     ".scroll{overflow-x:auto}table{border-collapse:collapse;font-size:14px}"
     "th,td{padding:.15rem .55rem;text-align:right;border-bottom:1px solid #e3e6ea;"
     "font-variant-numeric:tabular-nums;font-weight:400;white-space:nowrap}"
     "thead th{color:#5a6573;border:0;padding-bottom:0}thead tr+tr th{border-bottom:1px solid "
     "#5a6573}"
-    ".text{text-align:left}tbody th{text-align:left;padding-left:0}thead .text{padding-left:0}"
-    "tbody+tbody tr:first-child>*{border-top:1px solid #5a6573}.group{padding-left:1.6rem}"
+    ".text{text-align:left;padding-left:1.6rem}.group{padding-left:1.6rem}"
+    "tr>:first-child{padding-left:0}tbody+tbody{border-top:2px solid #9aa4b0}"
     ".design th{color:#0069a8;font-weight:600}.baseline th{color:#c2500a}"
     ".note{color:#5a6573;font-size:13px}.maps{display:grid;gap:1rem;"
     "grid-template-columns:repeat(auto-fill,minmax(15rem,1fr))}figure{margin:0}"
-    "img{width:100%;background:#000;display:block}.small img{image-rendering:pixelated}"
+    "img{width:100%;height:auto;background:#000;display:block}.small img{image-rendering:pixelated}"
     "figcaption{font-size:13px;color:#5a6573}figcaption b{color:#1c2430;font-weight:600}"
     "@media print{body{margin:0;max-width:none}figure,svg,tr{break-inside:avoid}}";
 
@@ -80,16 +79,8 @@ std::string verdict(const ErrorStudy& study) {
   return fmt::format("<p class=\"bad\">It does not hold: {}.</p>\n", escaped(names));
 }
 
-std::string plots(const ErrorStudy& study, const std::string& scene) {
-  const auto plot = [&](Quantity quantity, Pace pace) {
-    return inlined(speed_error_svg(study, scene, quantity, pace));
-  };
-  return fmt::format(
-      "<h2>Speed against error</h2>\n<p>Down and to the right is better. Hollow: some samples are "
-      "missing or wrong, so that the speed is that of another picture.</p>\n{}"
-      "<div class=\"pair\"><div>{}</div><div>{}</div></div>\n",
-      plot(Quantity::kDepth, Pace::kHost), plot(Quantity::kColor, Pace::kHost),
-      plot(Quantity::kDepth, Pace::kClock));
+std::string plot(const ErrorStudy& study, const std::string& scene, Quantity quantity, Pace pace) {
+  return inlined(speed_error_svg(study, scene, quantity, pace));
 }
 
 std::string tables(const ErrorStudy& study) {
@@ -129,10 +120,10 @@ std::string gallery(const ErrorStudy& study) {
     html += fmt::format(
         "<figure><a href=\"{0}\"><img src=\"{0}\" width=\"{1}\" height=\"{2}\" alt=\"depth error "
         "of "
-        "{3}\" style=\"height:auto\"></a><figcaption><b>{3}</b>: up to {4} ulp{5}</figcaption>"
-        "</figure>\n",
-        map_file(s), study.width, study.height, escaped(s.name), figure(s.depth.max()),
-        wrong == 0 ? "" : fmt::format(", {} samples wrong", count_figure(wrong)));
+        "{3}\"></a><figcaption><b>{3}</b>: {4}{5}</figcaption></figure>\n",
+        map_file(s), study.width, study.height, escaped(s.name),
+        s.depth.count() == 0 ? "nothing judged" : "up to " + figure(s.depth.max()) + " ulp",
+        wrong == 0 ? "" : fmt::format("; samples wrong: {}", count_figure(wrong)));
   }
   return html + "</div>\n";
 }
@@ -148,9 +139,16 @@ std::string error_page(const ErrorStudy& study, const std::string& scene) {
              "included</p>\n",
              escaped(scene), kStyle, study.width, study.height, grouped(study.triangles),
              grouped(study.samples)) +
-         verdict(study) + plots(study, scene) + tables(study) +
-         "<h2>How the errors are distributed</h2>\n" + inlined(histogram_svg(study)) +
-         gallery(study) + "</html>\n";
+         verdict(study) +
+         "<h2>Speed against error</h2>\n<p>Down and to the right is better. Hollow: some samples "
+         "are missing or wrong, so that the speed is that of another picture.</p>\n" +
+         plot(study, scene, Quantity::kDepth, Pace::kHost) + tables(study) +
+         "<h2>The same in hardware, and for colours</h2>\n" +
+         plot(study, scene, Quantity::kDepth, Pace::kClock) +
+         plot(study, scene, Quantity::kColor, Pace::kHost) +
+         "<h2>Histograms</h2>\n<p>An octave begins at its lower end: an error of exactly ½ stands "
+         "to the right of the line.</p>\n" +
+         inlined(histogram_svg(study)) + gallery(study) + "</html>\n";
 }
 
 }  // namespace pineda::studies

@@ -17,8 +17,10 @@ constexpr Box kField{72, 86, 804, 432};
 constexpr double kMarkerPx = 5.5;
 constexpr double kNamePx = 12;
 constexpr double kRemarkPx = 10.5;
-constexpr double kLeaderPx = 9;  // nearer labels need no line
+constexpr double kLeaderPx = 6;  // nearer labels need no line
 constexpr size_t kLongestScene = 40;
+
+constexpr Paint kRoundingLine{"none", kInk, 1, "5 4"};
 
 // A subject as it is drawn.
 struct Dot {
@@ -29,6 +31,7 @@ struct Dot {
 };
 
 struct Words {
+  std::string title;
   std::string unit;
   std::string error;
   std::string pace;
@@ -36,9 +39,11 @@ struct Words {
 
 Words words(Quantity quantity, Pace pace) {
   const bool depth = quantity == Quantity::kDepth;
-  return {depth ? "ulp" : "LSB",
+  return {fmt::format("{} against {} error", pace == Pace::kHost ? "Speed" : "Hardware speed",
+                      depth ? "depth" : "colour"),
+          depth ? "ulp" : "LSB",
           depth ? "largest depth error, ulp (1 ulp = 1 depth code)"
-                : "largest colour error, LSB (1 LSB = 1 of 255)",
+                : "largest colour error, LSB of a channel",
           pace == Pace::kHost ? "speed of the software: covered samples a second"
                               : "speed of hardware: covered samples a clock cycle"};
 }
@@ -83,7 +88,7 @@ class Plot {
   Plot(const ErrorStudy& study, const std::string& scene, Quantity quantity, Pace pace)
       : study_(study),
         words_(words(quantity, pace)),
-        svg_(kWidthPx, kHeightPx, fmt::format("Speed against error: {}", scene)),
+        svg_(kWidthPx, kHeightPx, words_.title + ": " + scene),
         x_(LogAxis::around({}, 0, 1)),
         y_(x_) {
     for (const Subject& s : study.subjects) {
@@ -102,7 +107,7 @@ class Plot {
       errors.push_back(dot.error);
     }
     x_ = LogAxis::around(paces, kField.left, kField.right());
-    y_ = LogAxis::around(errors, kField.bottom() - 34, kField.top);
+    y_ = LogAxis::around(errors, kField.bottom() - 64, kField.top + 8);
     draw_titles(scene);
     draw_axes();
     draw_rounding();
@@ -113,8 +118,12 @@ class Plot {
 
  private:
   void draw_titles(std::string scene) {
-    if (scene.size() > kLongestScene) scene = "..." + scene.substr(scene.size() - kLongestScene);
-    svg_.text({kField.left, 28}, "Speed against error: " + scene, {18, kInk, Anchor::kStart, true});
+    if (scene.size() > kLongestScene) {
+      size_t at = scene.size() - kLongestScene;
+      while (at < scene.size() && (scene[at] & 0xc0) == 0x80) ++at;  // not inside a character
+      scene = "..." + scene.substr(at);
+    }
+    svg_.text({kField.left, 28}, words_.title + ": " + scene, {18, kInk, Anchor::kStart, true});
     svg_.text({kField.left, 48},
               fmt::format("{} × {} px, {} triangles, {} covered samples; each subject's worst "
                           "sample, by exact arithmetic",
@@ -132,6 +141,8 @@ class Plot {
     entry(true, true, "");
     x -= 12;
     entry(false, true, "hollow: wrong coverage");
+    svg_.line({x - 4, 69}, {x + 20, 69}, kRoundingLine);
+    svg_.text({x + 26, 73}, fmt::format("½ {}: all are nearest", words_.unit), {12, kInk});
     svg_.text({kField.right() - 26, 73}, "better", {12, kInk, Anchor::kEnd, true});
     svg_.arrow({kField.right() - 19, 63}, {kField.right() - 4, 76}, {"none", kInk, 1.6});
   }
@@ -157,7 +168,7 @@ class Plot {
     svg_.rectangle(kField, {"none", kGrey});
     svg_.text({kField.left + kField.width / 2, kField.bottom() + 42}, words_.pace,
               {13, kInk, Anchor::kMiddle});
-    svg_.text({20, kField.top + kField.height / 2}, words_.error,
+    svg_.text({20, kField.top + (kField.height - 90) / 2}, words_.error,
               {13, kInk, Anchor::kMiddle, false, true});
     svg_.text({kField.right() - 40, kField.bottom() + 42}, "faster", {12, kGrey, Anchor::kEnd});
     svg_.arrow({kField.right() - 34, kField.bottom() + 38},
@@ -168,10 +179,7 @@ class Plot {
 
   void draw_rounding() {
     const double y = y_.at(.5);
-    svg_.line({kField.left, y}, {kField.right(), y}, {"none", kDesignColor, 1, "5 4"});
-    const std::string text = fmt::format("½ {}: every value is the nearest", words_.unit);
-    taken_.push_back({kField.left + 8, y + 4, text_width(text, kRemarkPx), 14});
-    svg_.text({kField.left + 8, y + 14}, text, {kRemarkPx, kDesignColor});
+    svg_.line({kField.left, y}, {kField.right(), y}, kRoundingLine);
   }
 
   void draw_dots() {
@@ -182,18 +190,18 @@ class Plot {
            std::max(text_width(dot.subject->name, kNamePx), text_width(dot.remark, kRemarkPx)),
            dot.remark.empty() ? kNamePx + 2 : kNamePx + kRemarkPx + 3});
     }
-    const auto boxes = place_labels(labels, kField, taken_, kMarkerPx + 1);
-    for (size_t i = 0; i < dots_.size(); ++i) {
-      if (boxes[i]) draw_leader(labels[i].at, *boxes[i]);
-    }
-    std::string unnamed;
+    const auto boxes = place_labels(labels, kField, kMarkerPx + 2.5);
     for (size_t i = dots_.size(); i-- > 0;) {  // designs above baselines
       const Subject& s = *dots_[i].subject;
       draw_marker(&svg_, labels[i].at, s.is_design, s.missing + s.extra != 0);
+    }
+    std::string unnamed;
+    for (size_t i = 0; i < dots_.size(); ++i) {
       if (boxes[i]) {
         draw_label(dots_[i], labels[i].at, *boxes[i]);
+        draw_leader(labels, i, *boxes[i]);
       } else {
-        unnamed += (unnamed.empty() ? "" : ", ") + s.name;
+        unnamed += (unnamed.empty() ? "" : ", ") + dots_[i].subject->name;
       }
     }
     std::string note;
@@ -202,16 +210,26 @@ class Plot {
     svg_.text({kField.left, kHeightPx - 12}, note, {11, kGrey});
   }
 
-  void draw_leader(Point at, const Box& box) {
+  // Where markers lie on one another it goes on to the centre of its own.
+  void draw_leader(const std::vector<Label>& labels, size_t i, const Box& box) {
+    const Point at = labels[i].at;
     const Point end = nearest_point(box, at);
     const double length = std::hypot(end.x - at.x, end.y - at.y);
-    if (length > kMarkerPx + kLeaderPx) svg_.line(at, end, {"none", "#9aa4b0", .9});
+    const auto near = [&](const Label& other) {
+      return std::hypot(other.at.x - at.x, other.at.y - at.y) < 2 * kMarkerPx;
+    };
+    const bool crowded = std::count_if(labels.begin(), labels.end(), near) > 1;
+    if (length <= kMarkerPx + kLeaderPx) return;
+    const double rest = crowded ? 0 : (kMarkerPx + 1.5) / length;
+    const Point start{at.x + rest * (end.x - at.x), at.y + rest * (end.y - at.y)};
+    svg_.line(start, end, {"none", kInk, .8});
+    if (crowded) svg_.circle(at, 1.6, {kInk});
   }
 
   // The text stands on the side of the box that is towards its point.
   void draw_label(const Dot& dot, Point at, const Box& box) {
     const char* color = dot.subject->is_design ? kDesignColor : kBaselineColor;
-    TextStyle name{kNamePx, color, Anchor::kMiddle, dot.subject->is_design};
+    TextStyle name{kNamePx, color, Anchor::kMiddle, dot.subject->is_design, false, true};
     double x = box.left + box.width / 2;
     if (box.left >= at.x) {
       name.anchor = Anchor::kStart;
@@ -222,7 +240,8 @@ class Plot {
     }
     svg_.text({x, box.top + kNamePx - 1}, dot.subject->name, name);
     if (dot.remark.empty()) return;
-    svg_.text({x, box.bottom() - 2.5}, dot.remark, {kRemarkPx, kGrey, name.anchor});
+    svg_.text({x, box.bottom() - 2.5}, dot.remark,
+              {kRemarkPx, kGrey, name.anchor, false, false, true});
   }
 
   const ErrorStudy& study_;
@@ -231,7 +250,6 @@ class Plot {
   LogAxis x_;
   LogAxis y_;
   std::vector<Dot> dots_;
-  std::vector<Box> taken_;
   std::string left_out_;
 };
 

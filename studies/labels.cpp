@@ -2,20 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
 
 namespace pineda::studies {
 namespace {
 
+constexpr int kOrders = 6;
 constexpr int kPasses = 6;
 constexpr int kDirections = 32;
 constexpr double kGapPx = 3;      // around a label
 constexpr double kNearestPx = 3;  // beyond the marker
 constexpr double kFarthestPx = 400;
 // Costs, in px of leader.
+constexpr double kUnplaced = 1e6;
 constexpr double kThroughLabel = 2000;
 constexpr double kThroughLeader = 500;
-constexpr double kThroughMarker = 60;
-constexpr double kBesideAnother = 15;  // so near to another point that it might be that one's
+constexpr double kThroughMarker = 300;
+constexpr double kBesideAnother = 40;  // so near to another point that it might be that one's
 constexpr double kNotBeside = 4;       // a reader looks to the right of a point first
 
 double cross(Point a, Point b, Point c) {
@@ -54,9 +59,8 @@ double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 class Placement {
  public:
-  Placement(const std::vector<Label>& labels, const Box& bounds, const std::vector<Box>& taken,
-            double marker_px)
-      : labels_(labels), bounds_(bounds), taken_(taken), marker_px_(marker_px) {
+  Placement(const std::vector<Label>& labels, const Box& bounds, double marker_px)
+      : labels_(labels), bounds_(bounds), marker_px_(marker_px) {
     boxes_.resize(labels.size());
   }
 
@@ -79,6 +83,13 @@ class Placement {
     return least < before;
   }
 
+  double total_cost() const {
+    double total = 0;
+    for (size_t i = 0; i < labels_.size(); ++i)
+      total += boxes_[i] ? cost(i, *boxes_[i]) : kUnplaced;
+    return total;
+  }
+
   const std::vector<std::optional<Box>>& boxes() const { return boxes_; }
 
  private:
@@ -91,11 +102,9 @@ class Placement {
   bool is_free(size_t i, const Box& box) const {
     if (!bounds_.holds(box)) return false;
     const Box wide = grown(box, kGapPx);
-    const auto meets = [&](const Box& other) { return wide.overlaps(other); };
-    if (std::any_of(taken_.begin(), taken_.end(), meets)) return false;
     for (size_t j = 0; j < labels_.size(); ++j) {
       if (box.overlaps(around(labels_[j].at, marker_px_))) return false;
-      if (j != i && boxes_[j] && meets(*boxes_[j])) return false;
+      if (j != i && boxes_[j] && wide.overlaps(*boxes_[j])) return false;
     }
     return true;
   }
@@ -109,7 +118,7 @@ class Placement {
       if (j == i) continue;
       const Point other = labels_[j].at;
       if (line_meets(around(other, marker_px_), at, end)) price += kThroughMarker;
-      if (distance(other, nearest_point(box, other)) < 2 * marker_px_) price += kBesideAnother;
+      if (distance(other, nearest_point(box, other)) < 2.2 * marker_px_) price += kBesideAnother;
       if (!boxes_[j]) continue;
       const Point other_end = nearest_point(*boxes_[j], other);
       if (line_meets(*boxes_[j], at, end) || line_meets(box, other, other_end)) {
@@ -122,7 +131,6 @@ class Placement {
 
   const std::vector<Label>& labels_;
   Box bounds_;
-  const std::vector<Box>& taken_;
   double marker_px_;
   std::vector<std::optional<Box>> boxes_;
 };
@@ -134,14 +142,30 @@ Point nearest_point(const Box& box, Point p) {
 }
 
 std::vector<std::optional<Box>> place_labels(const std::vector<Label>& labels, const Box& bounds,
-                                             const std::vector<Box>& taken, double marker_px) {
-  Placement placement(labels, bounds, taken, marker_px);
-  bool moved = true;
-  for (int pass = 0; pass < kPasses && moved; ++pass) {
-    moved = false;
-    for (size_t i = 0; i < labels.size(); ++i) moved = placement.improve(i) || moved;
+                                             double marker_px) {
+  std::vector<size_t> order(labels.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<std::optional<Box>> best(labels.size());
+  double least = INFINITY;
+  uint32_t random = 1;
+  for (int attempt = 0; attempt < kOrders; ++attempt) {
+    Placement placement(labels, bounds, marker_px);
+    bool moved = true;
+    for (int pass = 0; pass < kPasses && moved; ++pass) {
+      moved = false;
+      for (const size_t i : order) moved = placement.improve(i) || moved;
+    }
+    const double cost = placement.total_cost();
+    if (cost < least) {
+      least = cost;
+      best = placement.boxes();
+    }
+    for (size_t i = order.size(); i > 1; --i) {  // another order
+      random = random * 1664525 + 1013904223;
+      std::swap(order[i - 1], order[(random >> 16) % i]);
+    }
   }
-  return placement.boxes();
+  return best;
 }
 
 }  // namespace pineda::studies

@@ -15,11 +15,11 @@ struct Label {
   double height = 0;
 };
 
-/// A box for each label, inside `bounds`, that overlaps no other box, no marker (a square of twice
-/// `marker_px` around each point) and none of `taken`; none where nothing is left. Greedy, then
-/// each label in turn is moved while that helps: short leaders, that cross nothing.
+/// A box for each label, inside `bounds`, that overlaps no other box and no marker (a square of
+/// twice `marker_px` around each point); none where nothing is left. Greedy in several orders, each
+/// label in turn moved while that helps; the best is taken: short leaders that cross nothing.
 std::vector<std::optional<Box>> place_labels(const std::vector<Label>& labels, const Box& bounds,
-                                             const std::vector<Box>& taken, double marker_px);
+                                             double marker_px);
 
 /// The point of the box that is nearest to `p`: where a leader ends.
 Point nearest_point(const Box& box, Point p);

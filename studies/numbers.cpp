@@ -18,9 +18,9 @@ std::string scientific(double value) {
 std::string figure(double value) {
   if (value == 0) return "0";
   if (value < .0005) return "<.001";
-  if (value < 1) return fmt::format("{:.3f}", value);
-  if (value < 10) return fmt::format("{:.2f}", value);
-  if (value < 100) return fmt::format("{:.1f}", value);
+  if (value < .9995) return fmt::format("{:.3f}", value);
+  if (value < 9.995) return fmt::format("{:.2f}", value);
+  if (value < 99.95) return fmt::format("{:.1f}", value);
   if (value < 99999.5) return fmt::format("{:.0f}", value);
   return scientific(value);
 }

@@ -129,6 +129,9 @@ void Svg::text(Point at, const std::string& text, const TextStyle& style) {
   static constexpr const char* kAnchors[] = {"start", "middle", "end"};
   std::string more;
   if (style.bold) more += " font-weight=\"600\"";
+  if (style.halo) {
+    more += fmt::format(" stroke=\"{}\" stroke-width=\"3.5\" paint-order=\"stroke\"", kPaper);
+  }
   if (style.upwards) more += fmt::format(" transform=\"rotate(-90 {:.1f} {:.1f})\"", at.x, at.y);
   body_ += fmt::format(
       "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{:g}\" fill=\"{}\" text-anchor=\"{}\"{}>{}"

@@ -52,6 +52,7 @@ struct TextStyle {
   Anchor anchor = Anchor::kStart;
   bool bold = false;
   bool upwards = false;  // a quarter turn to the left
+  bool halo = false;     // paper around the letters hides lines that cross them
 };
 
 /// Width of `text`, in px, in the widest of the usual sans-serif fonts; others run shorter.
@@ -99,7 +100,6 @@ class LogAxis {
   double at(double value) const;
   /// Decades, at most nine of them with a text; 2 to 9 between them where there is room.
   std::vector<Tick> ticks() const;
-  double low() const { return low_; }
 
  private:
   double low_;

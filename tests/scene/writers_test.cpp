@@ -41,6 +41,18 @@ TEST(Writers, ColorPictureHoldsRedGreenAndBlueOnBlack) {
                                   200, 210, 220}));
 }
 
+TEST(Writers, PlainPictureHoldsItsBytesAndRefusesAnotherSize) {
+  const Scratch scratch;
+  std::vector<uint8_t> rgb;
+  for (uint8_t i = 0; i < 18; ++i) rgb.push_back(static_cast<uint8_t>(i * 14));
+  write_rgb_png(scratch.path("map.png"), 3, 2, rgb);
+  EXPECT_EQ(pixels_of(scratch.path("map.png"), PNG_FORMAT_RGB), rgb);
+  EXPECT_EQ(scratch.names(), std::vector<std::string>{"map.png"});
+  rgb.pop_back();
+  EXPECT_THROW(write_rgb_png(scratch.path("short.png"), 3, 2, rgb), std::invalid_argument);
+  EXPECT_EQ(scratch.names(), std::vector<std::string>{"map.png"});
+}
+
 TEST(Writers, DepthPictureIsBrightWhereNearAndBlackWhereCleared) {
   const Scratch scratch;
   auto frame = small_frame();
