@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <regex>
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "studies/error_pictures.h"
 #include "tests/studies/markup.h"
@@ -15,10 +18,28 @@ int texts(const std::string& svg, const std::string& text) { return count(svg, "
 // Shapes of the legend: a full one and a hollow one of each kind.
 constexpr int kInLegend = 2;
 
-int markers(const std::string& svg, const std::string& shape, const std::string& more) {
-  const std::regex pattern("<" + shape + " [^>]*" + more);
-  return static_cast<int>(
-      std::distance(std::sregex_iterator(svg.begin(), svg.end(), pattern), std::sregex_iterator()));
+// The elements of a picture, from their names to what closes them.
+std::vector<std::string> elements(const std::string& svg, const std::string& name) {
+  std::vector<std::string> all;
+  const std::string start = "<" + name + " ";
+  for (size_t at = svg.find(start); at != std::string::npos; at = svg.find(start, at + 1)) {
+    all.push_back(svg.substr(at, svg.find('>', at) - at));
+  }
+  return all;
+}
+
+// Elements of that name that say `more`.
+int markers(const std::string& svg, const std::string& name, const std::string& more) {
+  const auto all = elements(svg, name);
+  return static_cast<int>(std::count_if(all.begin(), all.end(), [&](const std::string& element) {
+    return element.find(more) != std::string::npos;
+  }));
+}
+
+// The number that an element gives to an attribute.
+double number(const std::string& element, const std::string& attribute) {
+  const std::string start = " " + attribute + "=\"";
+  return std::stod(element.substr(element.find(start) + start.size()));
 }
 
 TEST(SpeedErrorPlot, EverySubjectHasAPointAndAName) {
@@ -73,10 +94,9 @@ TEST(SpeedErrorPlot, PointsStandWhereTheAxesSay) {
     study.subjects.push_back(s);
   }
   const auto svg = speed_error_svg(study, "two");
-  const std::regex pattern("<circle cx=\"([0-9.]+)\" cy=\"([0-9.]+)\"");
   std::vector<std::pair<double, double>> at;
-  for (std::sregex_iterator i(svg.begin(), svg.end(), pattern), end; i != end; ++i) {
-    at.emplace_back(std::stod((*i)[1]), std::stod((*i)[2]));
+  for (const std::string& circle : elements(svg, "circle")) {
+    at.emplace_back(number(circle, "cx"), number(circle, "cy"));
   }
   ASSERT_EQ(at.size(), 4u);  // the last two: fast, then slow, since the first lies on top
   EXPECT_GT(at[2].first, at[3].first + 400);
