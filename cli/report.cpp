@@ -1,33 +1,12 @@
 #include "cli/report.h"
 
 #include "cli/output.h"
+#include "studies/svg.h"
 
 namespace pineda::cli {
 namespace {
 
-// Names come from files: nothing in them may be taken for markup.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
+using studies::escaped;
 
 std::string row(const std::string& name, const std::string& value) {
   return fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", escaped(name), escaped(value));
