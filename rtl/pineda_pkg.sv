@@ -1,5 +1,6 @@
 // Generated from model/spec for the design high_tile. Do not edit: change model/spec and run
 // `cmake --build build --target package`.
+`define PINEDA_RECIPROCAL_NEWTON
 package pineda_pkg;
 
   localparam int unsigned SUBPIXEL_BITS             = 8; // S: x, y are multiples of 2^-S px
@@ -21,9 +22,6 @@ package pineda_pkg;
   localparam int unsigned ATTR_PLANE_BITS           = 28; // gradient, reference, accumulator of an attribute
   localparam int unsigned ATTR_TILE_PLANE_BITS      = 18; // the same inside a tile
   localparam int unsigned RECIPROCAL_BITS           = 30; // k: mantissa of 1/area2
-  localparam int unsigned RECIPROCAL_LUT_BITS       = 7; // index of the ROM
-  localparam int unsigned RECIPROCAL_ROM_BITS       = 8; // entry of the ROM, leading 1 implied
-  localparam int unsigned RECIPROCAL_NEWTON_STEPS   = 2;
   localparam int unsigned GRADIENT_FRACTION_BITS    = 18; // F
   localparam int unsigned TILE_FRACTION_BITS        = 8; // F': inside a tile
   localparam int unsigned TILE_LOG2                 = 3; // tile side, log2 px
@@ -41,6 +39,9 @@ package pineda_pkg;
   localparam int unsigned TILE_FIFO_DEPTH           = 2; // tile test -> stamps
   localparam int unsigned STAMP_FIFO_DEPTH          = 4; // traversal -> interpolation
   localparam int unsigned INFLIGHT_STAMPS           = 72; // stamps between read issued and write accepted
+  localparam int unsigned RECIPROCAL_LUT_BITS       = 7; // index of the ROM
+  localparam int unsigned RECIPROCAL_ROM_BITS       = 8; // entry of the ROM, leading 1 implied
+  localparam int unsigned RECIPROCAL_NEWTON_STEPS   = 2;
 
   // The triangle number only travels in simulation.
 `ifdef SYNTHESIS

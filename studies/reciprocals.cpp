@@ -62,9 +62,7 @@ int64_t reciprocal_rom_size_bits(const Design& d) {
     return entries * spec::reciprocal_rom_bits(d);
   }
   if (d.reciprocal_scheme != ReciprocalScheme::kQuadratic) return 0;
-  const int bits = spec::reciprocal_working_bits(d);
-  return entries *
-         ((bits - 1) + (bits - d.reciprocal_lut_bits) + (bits - 2 * d.reciprocal_lut_bits));
+  return entries * spec::parabola_bits(d);
 }
 
 ReciprocalError reciprocal_error(const Design& design, int64_t most) {

@@ -114,10 +114,6 @@ std::string no_cycles_reason(const Design& d) {
   return "planes by quotient and remainder exist in the functional model alone";
 }
 
-std::string no_rtl_reason(const Design& d) {
-  if (!no_cycles_reason(d).empty()) return no_cycles_reason(d);
-  if (d.reciprocal_scheme == ReciprocalScheme::kNewton && d.reciprocal_newton_steps > 0) return {};
-  return "the RTL has reciprocals by ROM and Newton steps only";
-}
+std::string no_rtl_reason(const Design& d) { return no_cycles_reason(d); }
 
 }  // namespace pineda::spec

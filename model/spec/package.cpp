@@ -39,9 +39,6 @@ std::vector<Constant> constants(const Contract& c) {
       {"ATTR_PLANE_BITS", w.attr_plane, "gradient, reference, accumulator of an attribute"},
       {"ATTR_TILE_PLANE_BITS", w.attr_tile_plane, "the same inside a tile"},
       {"RECIPROCAL_BITS", d.reciprocal_bits, "k: mantissa of 1/area2"},
-      {"RECIPROCAL_LUT_BITS", d.reciprocal_lut_bits, "index of the ROM"},
-      {"RECIPROCAL_ROM_BITS", reciprocal_rom_bits(d), "entry of the ROM, leading 1 implied"},
-      {"RECIPROCAL_NEWTON_STEPS", d.reciprocal_newton_steps, ""},
       {"GRADIENT_FRACTION_BITS", d.gradient_fraction_bits, "F"},
       {"TILE_FRACTION_BITS", d.tile_fraction_bits, "F': inside a tile"},
       {"TILE_LOG2", d.tile_log2, "tile side, log2 px"},
@@ -60,6 +57,78 @@ std::vector<Constant> constants(const Contract& c) {
       {"STAMP_FIFO_DEPTH", d.stamp_fifo_depth, "traversal -> interpolation"},
       {"INFLIGHT_STAMPS", w.inflight_stamps, "stamps between read issued and write accepted"},
   };
+}
+
+// What the scheme of the reciprocal has, and no other.
+std::vector<Constant> reciprocal_constants(const Design& d) {
+  const Constant index{"RECIPROCAL_LUT_BITS", d.reciprocal_lut_bits, "index of the ROM"};
+  switch (d.reciprocal_scheme) {
+    case ReciprocalScheme::kNewton:
+      return {
+          index,
+          {"RECIPROCAL_ROM_BITS", reciprocal_rom_bits(d), "entry of the ROM, leading 1 implied"},
+          {"RECIPROCAL_NEWTON_STEPS", d.reciprocal_newton_steps, ""}};
+    case ReciprocalScheme::kQuadratic:
+      return {index,
+              {"RECIPROCAL_C0_BITS", parabola_c0_bits(d), "constant, leading 1 implied"},
+              {"RECIPROCAL_C1_BITS", parabola_c1_bits(d), "coefficient of -t"},
+              {"RECIPROCAL_C2_BITS", parabola_c2_bits(d), "coefficient of t^2"},
+              {"RECIPROCAL_ROM_BITS", parabola_bits(d),
+               "entry of the ROM: the three, the constant on top"}};
+    case ReciprocalScheme::kRestoring2:
+    case ReciprocalScheme::kRestoring4:
+      return {{"RECIPROCAL_RADIX_BITS", reciprocal_radix_bits(d), "of the quotient a cycle"}};
+    case ReciprocalScheme::kNone:
+      break;
+  }
+  return {};
+}
+
+// The scheme as a macro: a module that names a ROM which the package lacks must not be read.
+const char* reciprocal_macro(const Design& d) {
+  static constexpr const char* kMacros[] = {"NEWTON", "QUADRATIC", "RESTORING", "RESTORING",
+                                            "NONE"};
+  return kMacros[static_cast<int>(d.reciprocal_scheme)];
+}
+
+std::string newton_entry(const Design& d, int index) {
+  return fmt::format("{}'d{}", reciprocal_rom_bits(d), reciprocal_rom(d, index));
+}
+
+std::string parabola_entry(const Design& d, int index) {
+  const Parabola c = reciprocal_parabola(d, index);
+  const int64_t leading_one = int64_t{1} << parabola_c0_bits(d);
+  return fmt::format("{{{}'d{}, {}'d{}, {}'d{}}}", parabola_c0_bits(d), c.c0 - leading_one,
+                     parabola_c1_bits(d), c.c1, parabola_c2_bits(d), c.c2);
+}
+
+// The ROM as a function; nothing for a scheme without one.
+std::string reciprocal_rom_text(const Design& d) {
+  const bool newton = d.reciprocal_scheme == ReciprocalScheme::kNewton;
+  if (!newton && d.reciprocal_scheme != ReciprocalScheme::kQuadratic) return {};
+  std::string text =
+      newton
+          ? fmt::format(
+                "  // First guess of 1/(2m), m = 0.1<index>...: value (2^{0} + entry) / 2^{1}.\n",
+                reciprocal_rom_bits(d), reciprocal_rom_bits(d) + 1)
+          : fmt::format("  // 1/(2m) = c0 - c1*t + c2*t^2 in units of 2^-{}, m = 0.1<index><t>.\n",
+                        reciprocal_working_bits(d));
+  text +=
+      "  function automatic logic [RECIPROCAL_ROM_BITS-1:0] reciprocal_rom(\n"
+      "      input logic [RECIPROCAL_LUT_BITS-1:0] index);\n    case (index)\n";
+  const int entries = 1 << d.reciprocal_lut_bits;
+  for (int i = 0; i < entries; ++i) {
+    const std::string label =
+        i + 1 == entries ? "default" : fmt::format("{}'d{}", d.reciprocal_lut_bits, i);
+    text += fmt::format("      {}: reciprocal_rom = {};\n", label,
+                        newton ? newton_entry(d, i) : parabola_entry(d, i));
+  }
+  return text + "    endcase\n  endfunction\n\n";
+}
+
+std::string constant_text(const Constant& k) {
+  return fmt::format("  localparam int unsigned {:<26}= {};{}{}\n", k.name, k.value,
+                     *k.meaning != '\0' ? " // " : "", k.meaning);
 }
 
 template <class T>
@@ -84,34 +153,17 @@ std::string struct_text(const std::vector<Field<T>>& table, const char* name) {
                             upper, has_id ? "ID_BITS + " : "", bits);
 }
 
-std::string rom_text(const Design& d) {
-  std::string text = fmt::format(
-      "  // First guess of 1/(2m), m = 0.1<index>...: value (2^{0} + entry) / 2^{1}.\n"
-      "  function automatic logic [RECIPROCAL_ROM_BITS-1:0] reciprocal_rom(\n"
-      "      input logic [RECIPROCAL_LUT_BITS-1:0] index);\n    case (index)\n",
-      reciprocal_rom_bits(d), reciprocal_rom_bits(d) + 1);
-  const int entries = 1 << d.reciprocal_lut_bits;
-  for (int i = 0; i < entries; ++i) {
-    const std::string label =
-        i + 1 == entries ? "default" : fmt::format("{}'d{}", d.reciprocal_lut_bits, i);
-    text += fmt::format("      {}: reciprocal_rom = {}'d{};\n", label, reciprocal_rom_bits(d),
-                        reciprocal_rom(d, i));
-  }
-  return text + "    endcase\n  endfunction\n";
-}
-
 }  // namespace
 
 std::string package_text(const Contract& c) {
   std::string text = fmt::format(
       "// Generated from model/spec for the design {}. Do not edit: change model/spec and run\n"
       "// `cmake --build build --target package`.\n"
+      "`define PINEDA_RECIPROCAL_{}\n"
       "package pineda_pkg;\n\n",
-      c.design.name);
-  for (const auto& k : constants(c)) {
-    text += fmt::format("  localparam int unsigned {:<26}= {};", k.name, k.value);
-    text += *k.meaning != '\0' ? fmt::format(" // {}\n", k.meaning) : "\n";
-  }
+      c.design.name, reciprocal_macro(c.design));
+  for (const auto& k : constants(c)) text += constant_text(k);
+  for (const auto& k : reciprocal_constants(c.design)) text += constant_text(k);
   text += fmt::format(
       "\n  // The triangle number only travels in simulation.\n"
       "`ifdef SYNTHESIS\n  localparam int unsigned ID_BITS = 1;\n"
@@ -129,7 +181,7 @@ std::string package_text(const Contract& c) {
   text += "\n";
   for_each_struct(c,
                   [&](const auto& table, const char* name) { text += struct_text(table, name); });
-  return text + rom_text(c.design) + "\nendpackage\n";
+  return text + reciprocal_rom_text(c.design) + "endpackage\n";
 }
 
 std::string loopback_text(const Contract& c) {

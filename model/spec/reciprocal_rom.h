@@ -27,8 +27,7 @@ constexpr int64_t reciprocal_rom(const Design& d, int index) {
 constexpr int reciprocal_working_bits(const Design& d) { return d.reciprocal_bits + 2; }
 
 /// Entry of the quadratic ROM, in units of 2^-(k+2): 1/(2m) = c0 - c1*t + c2*t^2 for
-/// m = (2^l + index + t) / 2^(l+1), 0 <= t < 1. Widths: c0 has k+1 bits after its leading 1, c1
-/// k+2-l bits, c2 k+2-2l bits.
+/// m = (2^l + index + t) / 2^(l+1), 0 <= t < 1.
 struct Parabola {
   int64_t c0;
   int64_t c1;
@@ -54,6 +53,20 @@ constexpr Parabola reciprocal_parabola(const Design& d, int index) {
   // In the first interval c0 is just below 1: it must not round up to it.
   return {std::min(coefficient(16 * q * r + 16 * r + 128), (int64_t{1} << bits) - 1),
           coefficient(256 * r + 2304), coefficient(4096)};
+}
+
+/// Bits of its coefficients in the ROM, and of the whole entry. c0 lies in [1/2, 1): its leading 1
+/// is implied. c1 < 2^-l and c2 < 2^-2l before they are rounded, but in a long table they round up
+/// to it; both are greatest in the first interval.
+constexpr int parabola_c0_bits(const Design& d) { return reciprocal_working_bits(d) - 1; }
+constexpr int parabola_c1_bits(const Design& d) {
+  return bit_length(static_cast<uint64_t>(reciprocal_parabola(d, 0).c1));
+}
+constexpr int parabola_c2_bits(const Design& d) {
+  return bit_length(static_cast<uint64_t>(reciprocal_parabola(d, 0).c2));
+}
+constexpr int parabola_bits(const Design& d) {
+  return parabola_c0_bits(d) + parabola_c1_bits(d) + parabola_c2_bits(d);
 }
 
 }  // namespace pineda::spec

@@ -21,8 +21,14 @@ inline constexpr int kTriangleIdBits = 32;
 inline constexpr int kMaxAttributes = 16;
 inline constexpr int kMaxLanes = 16;
 
-/// Cycles from the doubled area to its reciprocal: one to align, one to round, between them two a
-/// Newton step, a square and a sum, or the quotient's bits.
+/// Bits of the quotient that restoring division finds in a cycle.
+constexpr int reciprocal_radix_bits(const Design& d) {
+  return d.reciprocal_scheme == ReciprocalScheme::kRestoring4 ? 2 : 1;
+}
+
+/// Cycles from the doubled area to its reciprocal: one to align, then one for the ROM and two a
+/// Newton step; or three for coefficients, products and sum; or one for the quotient's first bit
+/// and one for each digit of the k bits behind it.
 constexpr int reciprocal_cycles(const Design& d) {
   switch (d.reciprocal_scheme) {
     case ReciprocalScheme::kNewton:
@@ -30,9 +36,8 @@ constexpr int reciprocal_cycles(const Design& d) {
     case ReciprocalScheme::kQuadratic:
       return 4;
     case ReciprocalScheme::kRestoring2:
-      return 2 + d.reciprocal_bits;
     case ReciprocalScheme::kRestoring4:
-      return 2 + (d.reciprocal_bits + 1) / 2;
+      return 2 + (d.reciprocal_bits + reciprocal_radix_bits(d) - 1) / reciprocal_radix_bits(d);
     case ReciprocalScheme::kNone:
       break;
   }
@@ -98,7 +103,9 @@ constexpr Widths widths(const Design& d) {
   // accepted write (compare, write) with room for the slot to be reused.
   w.inflight_stamps = d.max_depth_latency_cycles + 8;
   // The first plane takes the reciprocal 3 cycles after its start; the reciprocal starts in step 5.
-  w.setup_planes_step = 5 + reciprocal_cycles(d) - 3;
+  // No plane can start before the differences that step 5 writes.
+  const int reciprocal_ready = 5 + reciprocal_cycles(d) - 3;
+  w.setup_planes_step = reciprocal_ready > 6 ? reciprocal_ready : 6;
   // The last plane reads the triangle's differences 5 cycles after its start, and the next triangle
   // writes them in its step 5; the steps themselves take 10 cycles.
   const int planes_done = w.setup_planes_step + d.attributes;

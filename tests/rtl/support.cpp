@@ -82,8 +82,9 @@ NextTriangle from(const std::vector<spec::Triangle>& triangles) {
 }
 
 std::string check_frame(FrameBench* bench, const spec::FrameState& frame,
-                        const std::vector<spec::Triangle>& triangles) {
-  Scoreboard scoreboard("RTL", rtl().contract(), frame, from(triangles));
+                        const std::vector<spec::Triangle>& triangles,
+                        const spec::Contract& contract) {
+  Scoreboard scoreboard("RTL", contract, frame, from(triangles));
   const FrameResult result = bench->run(frame, from(triangles), &scoreboard);
   scoreboard.finish();
   if (scoreboard.mismatches() != 0) return scoreboard.first_divergence();

@@ -38,8 +38,9 @@ vectors::InterpZtestCase run(InterpZtestBench* bench, const vectors::InterpZtest
 
 /// The first difference of a case on a bench, or "" .
 template <class Bench, class Case>
-std::string first_difference(Bench* bench, const Case& expected) {
-  const auto text = vectors::difference(rtl().contract(), expected, run(bench, expected));
+std::string first_difference(Bench* bench, const Case& expected,
+                             const spec::Contract& contract = rtl().contract()) {
+  const auto text = vectors::difference(contract, expected, run(bench, expected));
   return text ? *text : std::string();
 }
 
@@ -49,7 +50,8 @@ NextTriangle from(const std::vector<spec::Triangle>& triangles);
 /// A frame through the top under the scoreboard: "" or what went wrong, a mismatch at a boundary or
 /// in the memories at the end.
 std::string check_frame(FrameBench* bench, const spec::FrameState& frame,
-                        const std::vector<spec::Triangle>& triangles);
+                        const std::vector<spec::Triangle>& triangles,
+                        const spec::Contract& contract = rtl().contract());
 
 /// The stall modes as test parameters, by name.
 class StallTest : public testing::TestWithParam<StallMode> {};

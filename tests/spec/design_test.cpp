@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "model/spec/fields.h"
 #include "model/spec/reciprocal_rom.h"
 #include "model/spec/widths.h"
+#include "tests/spec/schemes.h"
 
 namespace pineda::spec {
 namespace {
@@ -100,8 +104,12 @@ TEST(InvalidReason, ParametersThatASchemeDoesNotUseMayBeZero) {
 
 TEST(NoRtlReason, SaysWhatOnlyTheFunctionalModelHas) {
   EXPECT_EQ(no_rtl_reason(kHighTile), "");
+  for (const Design& design : kSchemes) {
+    EXPECT_EQ(invalid_reason(design), "") << design.name;
+    EXPECT_EQ(no_rtl_reason(design), "") << design.name;
+  }
   EXPECT_EQ(no_cycles_reason(*find_design("div28")), "");
-  EXPECT_NE(no_rtl_reason(*find_design("div28")), "");
+  EXPECT_EQ(no_rtl_reason(*find_design("div28")), "");
   EXPECT_NE(no_cycles_reason(*find_design("exact")), "");
   EXPECT_EQ(no_rtl_reason(*find_design("exact")), no_cycles_reason(*find_design("exact")));
 }
@@ -187,6 +195,57 @@ TEST_P(ReciprocalRom, EntriesFitTheirBitsAndMeetTheirBound) {
   // Half a cell and half a unit of the entry: (2^-1 + 2^-3) * 2^-lut_bits.
   EXPECT_LE(worst, .625 / entries);
   EXPECT_GT(worst, 1.0 / (4.0 * entries));  // no table of this length can do much better
+}
+
+class ParabolaRom : public testing::TestWithParam<std::pair<int, int>> {};
+INSTANTIATE_TEST_SUITE_P(LutBitsAndK, ParabolaRom,
+                         testing::Values(std::pair(4, 12), std::pair(4, 32), std::pair(7, 26),
+                                         std::pair(12, 24), std::pair(12, 32)));
+
+TEST_P(ParabolaRom, CoefficientsFitTheirBits) {
+  Design design = kHighTile;
+  design.reciprocal_scheme = ReciprocalScheme::kQuadratic;
+  std::tie(design.reciprocal_lut_bits, design.reciprocal_bits) = GetParam();
+  int64_t greatest_c1 = 0;
+  int64_t greatest_c2 = 0;
+  for (int i = 0; i < 1 << design.reciprocal_lut_bits; ++i) {
+    const Parabola c = reciprocal_parabola(design, i);
+    ASSERT_EQ(c.c0 >> parabola_c0_bits(design), 1) << i;  // the leading 1 that the ROM leaves out
+    greatest_c1 = std::max(greatest_c1, c.c1);
+    greatest_c2 = std::max(greatest_c2, c.c2);
+    ASSERT_GE(std::min(c.c1, c.c2), 0) << i;
+  }
+  EXPECT_EQ(bit_length(static_cast<uint64_t>(greatest_c1)), parabola_c1_bits(design));
+  EXPECT_EQ(bit_length(static_cast<uint64_t>(greatest_c2)), parabola_c2_bits(design));
+  // As derived, and a bit more where the greatest rounds up to a power of two.
+  const int derived = design.reciprocal_bits + 2 - design.reciprocal_lut_bits;
+  EXPECT_EQ(parabola_c1_bits(design), derived + (design.reciprocal_lut_bits == 12 ? 1 : 0));
+}
+
+TEST(ReciprocalCycles, OneToAlignAndTheSchemesOwn) {
+  const auto cycles = [](const std::string& name) {
+    for (const Design& design : kSchemes) {
+      if (name == design.name) return reciprocal_cycles(design);
+    }
+    return reciprocal_cycles(*find_design(name));
+  };
+  EXPECT_EQ(cycles("rom"), 2);
+  EXPECT_EQ(cycles("low"), 4);
+  EXPECT_EQ(cycles("high_tile"), 6);
+  EXPECT_EQ(cycles("quadratic"), 4);
+  EXPECT_EQ(cycles("div28"), 30);
+  EXPECT_EQ(cycles("restoring4"), 16);
+  EXPECT_EQ(cycles("restoring4_odd"), 17);
+}
+
+// With a reciprocal of two cycles the planes wait for the differences.
+TEST(SetupCycles, PlanesStartWhenBothReciprocalAndDifferencesAreThere) {
+  EXPECT_EQ(widths(kHighTile).setup_planes_step, 8);
+  EXPECT_EQ(widths(kHighTile).setup_interval_cycles, 12);
+  EXPECT_EQ(widths(kSchemes[0]).setup_planes_step, 6);
+  EXPECT_EQ(widths(kSchemes[0]).setup_interval_cycles, 10);
+  EXPECT_EQ(widths(*find_design("div28")).setup_planes_step, 32);
+  EXPECT_EQ(widths(*find_design("div28")).setup_interval_cycles, 36);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+#include "tests/spec/schemes.h"
+
 namespace pineda::spec {
 namespace {
 
@@ -62,6 +64,24 @@ TEST(Package, ChangedBufferLeavesTheFormatsHashAlone) {
   for (const Parameter parameter : kBuffers) {
     EXPECT_NE(package_hash(one_less(parameter)), package_hash(contract(kHighTile)));
     EXPECT_EQ(formats_hash(one_less(parameter)), formats_hash(contract(kHighTile)));
+  }
+}
+
+// What a scheme does not have, its package does not hold.
+TEST(Package, RomStandsWhereTheSchemeHasOne) {
+  const auto holds = [](const Design& design, const std::string& text) {
+    return package_text(contract(design)).find(text) != std::string::npos;
+  };
+  for (const Design& design : kSchemes) {
+    const bool newton = design.reciprocal_scheme == ReciprocalScheme::kNewton;
+    const bool quadratic = design.reciprocal_scheme == ReciprocalScheme::kQuadratic;
+    EXPECT_EQ(holds(design, "`define PINEDA_RECIPROCAL_NEWTON\n"), newton) << design.name;
+    EXPECT_EQ(holds(design, "`define PINEDA_RECIPROCAL_QUADRATIC\n"), quadratic) << design.name;
+    EXPECT_EQ(holds(design, "`define PINEDA_RECIPROCAL_RESTORING\n"), !newton && !quadratic)
+        << design.name;
+    EXPECT_EQ(holds(design, "reciprocal_rom("), newton || quadratic) << design.name;
+    EXPECT_EQ(holds(design, "RECIPROCAL_LUT_BITS"), newton || quadratic) << design.name;
+    EXPECT_EQ(holds(design, "RECIPROCAL_RADIX_BITS"), !newton && !quadratic) << design.name;
   }
 }
 

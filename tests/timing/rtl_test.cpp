@@ -23,6 +23,8 @@ timing::Ready ready_of(const tb::Stalls& stalls) {
 // RTL runs with the memory latency of `options`, the model with `model_latency`.
 class Comparison {
  public:
+  explicit Comparison(const spec::Contract& contract = kContract) : contract_(contract) {}
+
   std::string run(const Scene& scene, const tb::BenchOptions& options, int model_latency) {
     tb::FrameBench bench(library_, options);
     Record expected;
@@ -34,7 +36,7 @@ class Comparison {
     top_.set_ready(ready_of({options.stall_mode, options.seed}));
     const auto model = top_.run(scene.frame, pull_from(scene), &model_recorder);
     stamps_ += expected.stamps.size();
-    if (const auto text = difference(expected, got, true); !text.empty()) return text;
+    if (const auto text = difference(expected, got, true, contract_); !text.empty()) return text;
     if (rtl.cycles == static_cast<uint64_t>(model.cycles)) return {};
     return "frame: expected " + std::to_string(rtl.cycles) + " cycles, got " +
            std::to_string(model.cycles);
@@ -45,8 +47,9 @@ class Comparison {
   size_t stamps() const { return stamps_; }
 
  private:
-  tb::RtlLibrary library_{kContract};
-  timing::RasterTop top_{"top", kContract};
+  spec::Contract contract_;
+  tb::RtlLibrary library_{contract_};
+  timing::RasterTop top_{"top", contract_};
   size_t stamps_ = 0;
 };
 
@@ -90,6 +93,29 @@ TEST(RtlLatency, EqualAtEveryLatency) {
   }
 }
 
+class RtlDesigns : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(, RtlDesigns, testing::Values("low", "med", "div28"),
+                         [](const auto& p) { return std::string(p.param); });
+
+TEST_P(RtlDesigns, EqualAtEveryLatencyUnderEveryStall) {
+  Comparison comparison(spec::contract(*spec::find_design(GetParam())));
+  uint64_t seed = 0;
+  for (const int latency : {1, 8, 64}) {
+    for (const tb::StallMode mode : tb::kStallModes) {
+      for (const Kind kind : kKinds) {
+        tb::BenchOptions options;
+        options.depth_latency_cycles = latency;
+        options.stall_mode = mode;
+        options.seed = ++seed;
+        const Scene scene = random_scene(kind, seed, 20);
+        ASSERT_EQ(comparison.run(scene, options), "")
+            << kind_name(kind) << ", latency " << latency << ", " << tb::stall_mode_name(mode);
+      }
+    }
+  }
+  EXPECT_GT(comparison.stamps(), 5000u);
+}
+
 // The end of a frame is taken in the cycle in which the model says that the pipeline has drained,
 // and the next frame is offered in the one after.
 TEST(RtlFrames, DrainedCyclesPlaceTheNextFrame) {
@@ -117,6 +143,26 @@ TEST(RtlLatency, OneCycleLessInTheModelIsNoticed) {
   options.depth_latency_cycles = 9;
   const Scene scene = random_scene(Kind::kMedium, 3, 20);
   EXPECT_NE(comparison.run(scene, options, 8), "");
+}
+
+// The same design but for a division of two bits a cycle: other cycles, the same bits.
+TEST(RtlDesignsMutant, QuickerReciprocalInTheModelIsNoticed) {
+  const spec::Design div28 = *spec::find_design("div28");
+  spec::Design quicker = div28;
+  quicker.reciprocal_scheme = spec::ReciprocalScheme::kRestoring4;
+  const tb::RtlLibrary library(spec::contract(div28));
+  tb::FrameBench bench(library, {});
+  timing::RasterTop top("top", spec::contract(quicker));
+  const Scene scene = random_scene(Kind::kMedium, 3, 20);
+  Record expected;
+  Record got;
+  BenchRecorder bench_recorder(&expected);
+  ModelRecorder model_recorder(&got);
+  bench.run(scene.frame, pull_from(scene), &bench_recorder);
+  top.run(scene.frame, pull_from(scene), &model_recorder);
+  EXPECT_EQ(difference(expected, got, false, library.contract()), "");
+  EXPECT_NE(difference(expected, got, true, library.contract()).find("expected in cycle"),
+            std::string::npos);
 }
 
 }  // namespace

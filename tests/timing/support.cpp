@@ -115,11 +115,12 @@ Scene random_scene(Kind kind, uint64_t seed, int triangles) {
   return scene;
 }
 
-std::string difference(const Record& expected, const Record& got, bool with_cycles) {
-  for (const std::string& text : {difference(expected.prims, got.prims, with_cycles),
-                                  difference(expected.stamps, got.stamps, with_cycles),
-                                  difference(expected.depths, got.depths, with_cycles),
-                                  difference(expected.colors, got.colors, with_cycles)}) {
+std::string difference(const Record& expected, const Record& got, bool with_cycles,
+                       const spec::Contract& contract) {
+  for (const std::string& text : {difference(expected.prims, got.prims, with_cycles, contract),
+                                  difference(expected.stamps, got.stamps, with_cycles, contract),
+                                  difference(expected.depths, got.depths, with_cycles, contract),
+                                  difference(expected.colors, got.colors, with_cycles, contract)}) {
     if (!text.empty()) return text;
   }
   return {};

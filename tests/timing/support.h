@@ -81,8 +81,8 @@ using ModelRecorder = Recorder<timing::Listener, Cycle>;
 /// none.
 template <class T>
 std::string difference(const std::vector<Event<T>>& expected, const std::vector<Event<T>>& got,
-                       bool with_cycles) {
-  const spec::Comparer<T> comparer(kContract);
+                       bool with_cycles, const spec::Contract& contract) {
+  const spec::Comparer<T> comparer(contract);
   const std::string name = spec::struct_name<T>();
   for (size_t i = 0; i < std::min(expected.size(), got.size()); ++i) {
     const std::string where = name + " " + std::to_string(i) + ": ";
@@ -98,6 +98,7 @@ std::string difference(const std::vector<Event<T>>& expected, const std::vector<
   return name + ": expected " + std::to_string(expected.size()) + " tokens, got " +
          std::to_string(got.size());
 }
-std::string difference(const Record& expected, const Record& got, bool with_cycles);
+std::string difference(const Record& expected, const Record& got, bool with_cycles,
+                       const spec::Contract& contract = kContract);
 
 }  // namespace pineda::test

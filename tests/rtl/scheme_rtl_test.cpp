@@ -1,0 +1,301 @@
+// The reciprocal's RTL alone, scheme by scheme, against core: corner areas, random ones, stalls;
+// and setup around the quickest of them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "Vreciprocal_newton_small.h"
+#include "Vreciprocal_quadratic.h"
+#include "Vreciprocal_quadratic_large.h"
+#include "Vreciprocal_quadratic_small.h"
+#include "Vreciprocal_restoring2_small.h"
+#include "Vreciprocal_restoring4.h"
+#include "Vreciprocal_restoring4_odd.h"
+#include "Vreciprocal_rom.h"
+#include "Vreciprocal_unit_more.h"
+#include "Vreciprocal_unsaturated.h"
+#include "Vsetup_rom.h"
+#include "model/core/reciprocal.h"
+#include "model/core/setup.h"
+#include "model/spec/pack.h"
+#include "tests/spec/schemes.h"
+#include "vectors/rng.h"
+
+namespace pineda::tb {
+namespace {
+
+using core::Reciprocal;
+using vectors::Rng;
+
+spec::Contract contract_of(const std::string& name) {
+  for (const spec::Design& design : spec::kSchemes) {
+    if (name == design.name) return spec::contract(design);
+  }
+  throw std::invalid_argument(name);
+}
+
+template <class Model>
+void clock(Model* model) {
+  model->clk_i = 1;
+  model->eval();
+  model->clk_i = 0;
+  model->eval();
+}
+
+/// A Verilated reciprocal, stalled at random `stalls` times in eight.
+template <class Model>
+class Lone {
+ public:
+  explicit Lone(const std::string& design, int stalls = 0)
+      : contract_(contract_of(design)), stalls_(stalls) {
+    model_.rst_ni = 0;
+    clock(&model_);
+    model_.rst_ni = 1;
+  }
+
+  const spec::Contract& contract() const { return contract_; }
+
+  /// What stands at the outputs `cycles` enabled cycles after the start. The area is gone after it.
+  Reciprocal after(int cycles, int64_t area2) {
+    model_.start_i = 1;
+    model_.area2_i = static_cast<std::decay_t<decltype(model_.area2_i)>>(area2);
+    enabled_clock();
+    model_.start_i = 0;
+    model_.area2_i = 1;
+    for (int i = 1; i < cycles; ++i) enabled_clock();
+    return {static_cast<int64_t>(model_.mantissa_o), static_cast<int>(model_.length_o)};
+  }
+
+  bool agrees(int64_t area2) {
+    const Reciprocal got = after(spec::reciprocal_cycles(contract_.design), area2);
+    const Reciprocal expected = core::reciprocal(contract_, area2);
+    return got.mantissa == expected.mantissa && got.length == expected.length;
+  }
+
+ private:
+  void enabled_clock() {
+    model_.enable_i = 0;
+    while (rng_.between(0, 7) < stalls_) clock(&model_);
+    model_.enable_i = 1;
+    clock(&model_);
+  }
+
+  spec::Contract contract_;
+  int stalls_;
+  Rng rng_{1};
+  Model model_;
+};
+
+// Calls take(area2) for small areas, powers of two and the ends of ROM cells with their neighbours:
+// for every area, when there are few.
+template <class Take>
+void for_each_corner(const spec::Contract& c, Take take) {
+  const int area_bits = c.width.area2 - 1;
+  const int64_t limit = int64_t{1} << area_bits;
+  for (int64_t area2 = 1; area2 < std::min<int64_t>(limit, 1 << 18); ++area2) {
+    if (area_bits <= 18 || area2 < 1 << 12) take(area2);
+  }
+  const auto take_near = [&](int64_t area2) {
+    for (int64_t a = area2 - 2; a <= area2 + 2; ++a) {
+      if (a > 0 && a < limit) take(a);
+    }
+  };
+  const int cell_bits = std::max(c.design.reciprocal_lut_bits, 6);
+  for (int length = 1; length <= area_bits; ++length) {
+    take_near(int64_t{1} << length);
+    if (length < area_bits - 2 || length <= cell_bits) continue;
+    const int below = length - 1 - cell_bits;
+    for (int64_t cell = int64_t{1} << cell_bits; cell < int64_t{2} << cell_bits; ++cell) {
+      take_near(cell << below);
+    }
+  }
+}
+
+int64_t random_area(Rng* rng, const spec::Contract& c) {
+  const auto length = rng->between(1, c.width.area2 - 1);
+  const int64_t low = int64_t{1} << (length - 1);
+  return rng->between(low, 2 * low - 1);
+}
+
+// A module and its design.
+template <class M>
+struct Scheme;
+#define SCHEME(name)                              \
+  template <>                                     \
+  struct Scheme<Vreciprocal_##name> {             \
+    static constexpr const char* kDesign = #name; \
+  };
+SCHEME(rom)
+SCHEME(newton_small)
+SCHEME(quadratic)
+SCHEME(quadratic_large)
+SCHEME(quadratic_small)
+SCHEME(restoring4)
+SCHEME(restoring4_odd)
+SCHEME(restoring2_small)
+#undef SCHEME
+
+template <class Model>
+class ReciprocalRtl : public testing::Test {};
+using Models =
+    testing::Types<Vreciprocal_rom, Vreciprocal_newton_small, Vreciprocal_quadratic,
+                   Vreciprocal_quadratic_large, Vreciprocal_quadratic_small, Vreciprocal_restoring4,
+                   Vreciprocal_restoring4_odd, Vreciprocal_restoring2_small>;
+struct DesignName {
+  template <class Model>
+  static std::string GetName(int) {
+    return Scheme<Model>::kDesign;
+  }
+};
+TYPED_TEST_SUITE(ReciprocalRtl, Models, DesignName);
+
+TYPED_TEST(ReciprocalRtl, CornersMatchModel) {
+  Lone<TypeParam> lone(Scheme<TypeParam>::kDesign);
+  int tried = 0;
+  for_each_corner(lone.contract(), [&](int64_t area2) {
+    ++tried;
+    EXPECT_TRUE(lone.agrees(area2)) << "area2 " << area2;
+  });
+  EXPECT_GT(tried, 4000);
+}
+
+TYPED_TEST(ReciprocalRtl, RandomAreasMatchModel) {
+  Lone<TypeParam> lone(Scheme<TypeParam>::kDesign);
+  Rng rng(2);
+  for (int i = 0; i < 200'000; ++i) {
+    const int64_t area2 = random_area(&rng, lone.contract());
+    ASSERT_TRUE(lone.agrees(area2)) << "area2 " << area2;
+  }
+}
+
+TYPED_TEST(ReciprocalRtl, StallsFreezeIt) {
+  Lone<TypeParam> lone(Scheme<TypeParam>::kDesign, 4);
+  Rng rng(3);
+  for (int i = 0; i < 10'000; ++i) {
+    const int64_t area2 = random_area(&rng, lone.contract());
+    ASSERT_TRUE(lone.agrees(area2)) << "area2 " << area2;
+  }
+}
+
+// A unit that were quicker than derived would hide a unit that is too slow.
+TYPED_TEST(ReciprocalRtl, NeedsEveryCycleAndHoldsTheResult) {
+  Lone<TypeParam> lone(Scheme<TypeParam>::kDesign);
+  const int cycles = spec::reciprocal_cycles(lone.contract().design);
+  Rng rng(4);
+  int early = 0;
+  for (int i = 0; i < 100; ++i) {
+    const int64_t area2 = random_area(&rng, lone.contract());
+    const int64_t mantissa = core::reciprocal(lone.contract(), area2).mantissa;
+    early += lone.after(cycles - 1, area2).mantissa == mantissa ? 1 : 0;
+    EXPECT_EQ(lone.after(cycles + 50, area2).mantissa, mantissa);
+  }
+  EXPECT_LT(early, 50);
+}
+
+template <class Mutant>
+int caught(const char* design) {
+  Lone<Mutant> mutant(design);
+  int wrong = 0;
+  for_each_corner(mutant.contract(), [&](int64_t area2) { wrong += mutant.agrees(area2) ? 0 : 1; });
+  return wrong;
+}
+
+TEST(ReciprocalRtlMutant, UnitTooMuchAtTheStartOfACellIsCaught) {
+  const int wrong = caught<Vreciprocal_unit_more>("quadratic");
+  EXPECT_GT(wrong, 0);
+}
+
+TEST(ReciprocalRtlMutant, PowersOfTwoThatDoNotSaturateAreCaught) {
+  const int wrong = caught<Vreciprocal_unsaturated>("restoring4");
+  EXPECT_GT(wrong, 0);
+}
+
+/// setup_unit with a reciprocal of two cycles: its planes wait for the differences instead.
+class SetupOfRom : public testing::Test {
+ protected:
+  SetupOfRom() {
+    frame_.width = frame_.height = 200;
+    model_.rst_ni = 0;
+    model_.prim_ready_i = 1;
+    const auto state = spec::Packer<spec::FrameState>(contract_).pack(frame_);
+    std::memcpy(&model_.frame_i, state.data(), 4 * state.size());
+    clock(&model_);
+    model_.rst_ni = 1;
+  }
+
+  /// Feeds the triangles without a pause, and stalls the output `stalls` times in eight.
+  std::vector<spec::Packed> run(const std::vector<spec::Triangle>& triangles, int stalls,
+                                std::vector<int>* accepted) {
+    std::vector<spec::Packed> prims;
+    Rng rng(5);
+    size_t next = 0;
+    for (int cycle = 0; next < triangles.size() || !model_.idle_o; ++cycle) {
+      model_.tri_valid_i = next < triangles.size();
+      if (next < triangles.size()) {
+        const auto words = triangle_.pack(triangles[next]);
+        std::memcpy(&model_.tri_i, words.data(), 4 * words.size());
+      }
+      model_.prim_ready_i = rng.between(0, 7) >= stalls;
+      model_.eval();
+      if (model_.tri_valid_i && model_.tri_ready_o) accepted->push_back(cycle), ++next;
+      if (model_.prim_valid_o && model_.prim_ready_i) {
+        prims.emplace_back(static_cast<size_t>(prim_.words()));
+        std::memcpy(prims.back().data(), &model_.prim_o, 4 * prims.back().size());
+      }
+      clock(&model_);
+    }
+    return prims;
+  }
+
+  std::vector<spec::Triangle> random_triangles(size_t count) {
+    Rng rng(6);
+    std::vector<spec::Triangle> triangles(count);
+    for (spec::Triangle& t : triangles) {
+      for (spec::Vertex& v : t.v) {
+        v.x = static_cast<int32_t>(rng.between(0, 200 << 8));
+        v.y = static_cast<int32_t>(rng.between(0, 200 << 8));
+        v.z = rng.between(0, int64_t{0xffffff} << 8);
+        for (int a = 0; a < 4; ++a) {
+          v.attr[static_cast<size_t>(a)] = static_cast<int32_t>(rng.between(0, 255));
+        }
+      }
+    }
+    return triangles;
+  }
+
+  std::vector<spec::Packed> expected(const std::vector<spec::Triangle>& triangles) {
+    std::vector<spec::Packed> prims;
+    for (const spec::Triangle& t : triangles) {
+      spec::SetupPrim prim;
+      if (core::setup(contract_, frame_, t, &prim) == core::Drop::kNone) {
+        prims.push_back(prim_.pack(prim));
+      }
+    }
+    return prims;
+  }
+
+  const spec::Contract contract_ = contract_of("rom");
+  const spec::Packer<spec::Triangle> triangle_{contract_};
+  const spec::Packer<spec::SetupPrim> prim_{contract_};
+  spec::FrameState frame_;
+  Vsetup_rom model_;
+};
+
+TEST_F(SetupOfRom, MatchesModelAtTheDerivedRateAndUnderStalls) {
+  const auto triangles = random_triangles(2000);
+  std::vector<int> accepted;
+  EXPECT_EQ(run(triangles, 4, &accepted), expected(triangles));
+  accepted.clear();
+  EXPECT_EQ(run(std::vector<spec::Triangle>(20, triangles[0]), 0, &accepted).size(), 20u);
+  const int interval = contract_.width.setup_interval_cycles;
+  for (size_t i = 1; i < accepted.size(); ++i) EXPECT_EQ(accepted[i] - accepted[i - 1], interval);
+  EXPECT_EQ(interval, 10);
+}
+
+}  // namespace
+}  // namespace pineda::tb

@@ -1,0 +1,27 @@
+// emit_schemes FOLDER: writes FOLDER/NAME/pineda_pkg.sv of each design in schemes.h.
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "model/spec/package.h"
+#include "tests/spec/schemes.h"
+
+int main(int argc, char** argv) {
+  using namespace pineda::spec;
+  if (argc != 2) {
+    std::cerr << "usage: emit_schemes FOLDER\n";
+    return 2;
+  }
+  for (const Design& design : kSchemes) {
+    const std::filesystem::path folder = std::filesystem::path(argv[1]) / design.name;
+    std::filesystem::create_directories(folder);
+    std::ofstream file(folder / "pineda_pkg.sv", std::ios::binary);
+    file << package_text(contract(design));
+    file.close();
+    if (!file) {
+      std::cerr << "emit_schemes: cannot write into " << folder << '\n';
+      return 2;
+    }
+  }
+  return 0;
+}
