@@ -4,6 +4,8 @@
 
 #include "cli/judge.h"
 #include "cli/models.h"
+#include "cli/needs.h"
+#include "cli/needs_report.h"
 #include "cli/pictures.h"
 #include "cli/report.h"
 #include "cli/triangles.h"
@@ -58,7 +60,7 @@ class ModelListener final : public timing::Listener {
 /// Samples whose memories differ. The SystemC model does not count hits.
 uint64_t differing_samples(const core::FrameBuffer& a, const core::FrameBuffer& b, bool with_hits) {
   uint64_t count = 0;
-  const auto n = static_cast<size_t>(a.attributes);
+  const auto n = static_cast<size_t>(a.channels);
   for (size_t i = 0; i < a.depth.size(); ++i) {
     const auto color = a.color.begin() + static_cast<std::ptrdiff_t>(i * n);
     const bool same = a.depth[i] == b.depth[i] && (!with_hits || a.hits[i] == b.hits[i]) &&
@@ -77,6 +79,7 @@ Side conclude(const char* name, tb::Scoreboard* scoreboard, const core::FrameBuf
   side.name = name;
   side.compared = scoreboard->compared();
   side.mismatches = scoreboard->mismatches();
+  side.left_out = scoreboard->left_out();
   side.differing_samples = differing_samples(reference, got, with_hits);
   side.first_divergence = scoreboard->first_divergence();
   return side;
@@ -117,7 +120,8 @@ Side check_rtl(const scene::Scene& scene, const tb::RtlLibrary& library,
     result = bench.run(
         scene.frame, [&](spec::Triangle* t) { return tee.pull(t, &scoreboard); }, &scoreboard);
   });
-  Side side = conclude("RTL", &scoreboard, reference, bench.buffer(), true);
+  Side side = conclude("RTL", &scoreboard, reference, bench.buffer(),
+                       !library.contract().design.hierarchical_z);
   side.cycles = result.cycles;
   side.seconds = seconds - triangles.load_seconds();
   return side;
@@ -133,11 +137,15 @@ Json check_json(const CheckResult& r, const scene::Scene& scene, const spec::Con
   json["mismatches"] = r.mismatches();
   json["cycles"] = {{"model", r.model.cycles}, {"rtl", r.rtl.cycles}};
   json["coverage"] = {{"missing", r.judgement.missing}, {"extra", r.judgement.extra}};
-  json["depth"] = {{"max_ulp", r.judgement.max_depth_ulp}, {"bound_ulp", r.bounds.depth_ulp}};
-  json["color"] = {{"max_lsb", r.judgement.max_color_lsb}, {"bound_lsb", r.bounds.attribute_lsb}};
+  json["depth"] = {{"max_ulp", r.judgement.max_depth_ulp},
+                   {"bound_ulp", r.judgement.bounds.depth_ulp}};
+  json["color"] = {{"max_lsb", r.judgement.max_color_lsb},
+                   {"bound_lsb", r.judgement.bounds.attribute_lsb}};
+  json["beyond_bounds"] = r.judgement.beyond;
   for (const Side* side : {&r.model, &r.rtl}) {
     json["sides"][side->name] = {{"compared", side->compared},
                                  {"mismatches", side->mismatches},
+                                 {"left_out", side->left_out},
                                  {"differing_samples", side->differing_samples},
                                  {"first_divergence", side->first_divergence},
                                  {"seconds", side->seconds}};
@@ -153,6 +161,10 @@ void print(const Output& output, const CheckResult& r, const std::string& out) {
     output.row(side->name, fmt::format("{} tokens compared, {} mismatches, {} samples differ",
                                        grouped(side->compared), grouped(side->mismatches),
                                        grouped(side->differing_samples)));
+    if (side->left_out != 0) {
+      output.row("  left out", fmt::format("{} stamps, hidden as hierarchical z saw in time",
+                                           grouped(side->left_out)));
+    }
     if (!side->first_divergence.empty()) output.row("  first divergence", side->first_divergence);
   }
   output.row("cycles",
@@ -160,9 +172,11 @@ void print(const Output& output, const CheckResult& r, const std::string& out) {
   output.row("coverage", fmt::format("{} samples missing, {} too many, by exact arithmetic",
                                      grouped(r.judgement.missing), grouped(r.judgement.extra)));
   output.row("depth error", fmt::format("{:.4f} ulp at most, bound {:.4f}",
-                                        r.judgement.max_depth_ulp, r.bounds.depth_ulp));
-  output.row("colour error", fmt::format("{:.4f} LSB at most, bound {:.4f}",
-                                         r.judgement.max_color_lsb, r.bounds.attribute_lsb));
+                                        r.judgement.max_depth_ulp, r.judgement.bounds.depth_ulp));
+  output.row("colour error",
+             fmt::format("{:.4f} LSB at most, bound {:.4f}", r.judgement.max_color_lsb,
+                         r.judgement.bounds.attribute_lsb));
+  if (r.judgement.beyond > 0) output.row("beyond their bounds", grouped(r.judgement.beyond));
   output.row("seconds", fmt::format("{:.2f} (SystemC {:.2f}, RTL {:.2f})", r.seconds,
                                     r.model.seconds, r.rtl.seconds));
   if (!out.empty()) {
@@ -172,22 +186,22 @@ void print(const Output& output, const CheckResult& r, const std::string& out) {
 }
 
 int run(const CheckOptions& options) {
-  const spec::Contract contract = rtl_contract_of(options);
   const Output output(options);
   Progress progress(options);
+  const Job job = open_job(options, spec::no_rtl_reason, true, output, &progress);
+  const spec::Contract& contract = job.contract;
+  const scene::Scene& scene = job.scene;
   const auto bench = bench_options(options, contract);
-  const scene::Scene scene = open(options, contract, true);
   const tb::RtlLibrary library(contract, [&](const std::string& text) { output.say(text); });
-  const Json header = header_json(scene, contract);
-  const std::string settings =
-      fmt::format("cull {}, depth {}, depth latency {} cycles, stalls {}, seed {}",
-                  header["cull"].get<std::string>(), header["depth_func"].get<std::string>(),
-                  bench.depth_latency_cycles, options.stall, options.seed);
+  const std::string state = scene::unusual_state(scene.frame);
+  const std::string settings = fmt::format(
+      "cull {}, depth {}{}{}, depth latency {} cycles, stalls {}, seed {}",
+      scene::name_of(scene.frame.cull), scene::name_of(scene.frame.depth),
+      state.empty() ? "" : ", ", state, bench.depth_latency_cycles, options.stall, options.seed);
   output.line("{}: {}x{}, {}, {}", scene.name, scene.frame.width, scene.frame.height,
               contract.design.name, settings);
 
   CheckResult result;
-  result.bounds = spec::error_bounds(contract.design);
   core::Renderer reference(contract, scene.frame);
   result.seconds = seconds_of([&] {
     result.judgement = judge(scene.source.get(), &reference, &progress);
@@ -197,9 +211,10 @@ int run(const CheckOptions& options) {
   });
   result.input = scene.source->counters();
   progress.clear();
-  print_notes(output, scene);
+  print_notes(output, job);
 
-  const Json json = check_json(result, scene, contract);
+  Json json = check_json(result, scene, contract);
+  if (job.needs) json["needs"] = needs_json(*job.needs, kAutoBase);
   if (!options.out.empty()) {
     write_pictures(options.out, picture_of(contract, reference.buffer()));
     scene::write_file(options.out + "/check.json", json.dump(2) + "\n");
@@ -218,6 +233,7 @@ void add_check(CLI::App* program, int* exit_code) {
       "check", "Model, SystemC and RTL on one scene: every boundary compared bit for bit");
   add_scene_options(command, options.get());
   add_time_options(command, options.get());
+  allow_auto(command);
   command->add_option("-o,--out", options->out, "Folder for the pictures and the report")
       ->type_name("DIR");
   command->callback([options, exit_code] { *exit_code = run(*options); });

@@ -29,12 +29,6 @@ std::vector<spec::Design> designs_of(const ErrorOptions& options) {
     Options one = options;
     one.design = name;
     designs.push_back(contract_of(one).design);
-    if (!studies::same_formats(designs.front(), designs.back())) {
-      throw UsageError(
-          fmt::format("--design: expected designs that take the same input as {} (subpixel, guard, "
-                      "depth and attribute bits), got {}",
-                      designs.front().name, designs.back().name));
-    }
   }
   return designs;
 }
@@ -102,7 +96,9 @@ Json distribution_json(const studies::Distribution& d, const char* unit) {
 
 Json subject_json(const studies::Subject& s, const studies::ErrorStudy& study) {
   const auto triangles = static_cast<double>(study.triangles);
-  const auto samples = static_cast<double>(std::max<uint64_t>(study.samples, 1));
+  // A format of other subpixels has samples of its own.
+  const uint64_t covered = s.is_design ? s.judged + s.missing : study.samples;
+  const auto samples = static_cast<double>(std::max<uint64_t>(covered, 1));
   Json json{{"summary", s.summary},
             {"coverage", {{"missing", s.missing}, {"extra", s.extra}}},
             {"depth", distribution_json(s.depth, "ulp")},
@@ -115,7 +111,7 @@ Json subject_json(const studies::Subject& s, const studies::ErrorStudy& study) {
   if (s.judged_by_frame) json["judged_by_frame"] = true;
   json["seconds"] = s.seconds;
   json["triangles_per_second"] = triangles / s.seconds;
-  json["samples_per_second"] = static_cast<double>(study.samples) / s.seconds;
+  json["samples_per_second"] = static_cast<double>(covered) / s.seconds;
   if (s.cycles) {
     json["cycles"] = {{"total", static_cast<uint64_t>(*s.cycles)},
                       {"per_triangle", *s.cycles / triangles},
@@ -131,6 +127,10 @@ Json subject_json(const studies::Subject& s, const studies::ErrorStudy& study) {
 
 Json error_json(const studies::ErrorStudy& study, const scene::Scene& scene, double seconds) {
   Json json{{"scene", scene.name}, {"width", study.width}, {"height", study.height}};
+  json["cull"] = scene::name_of(scene.frame.cull);
+  json["depth_func"] = scene::name_of(scene.frame.depth);
+  const Json state = unusual_state_json(scene.frame);
+  json.insert(state.begin(), state.end());
   json["holds"] = study.holds();
   json["seconds"] = seconds;
   json["triangles"] = scene.source->counters().triangles;
@@ -184,25 +184,76 @@ void print(const Output& output, const studies::ErrorStudy& study, const ErrorOp
                                   : "IT DOES NOT HOLD.");
 }
 
+/// Designs that take a scene the same way are judged in one pass: in the order of their firsts.
+std::vector<std::vector<spec::Design>> by_format(const std::vector<spec::Design>& designs) {
+  std::vector<std::vector<spec::Design>> groups;
+  for (const spec::Design& d : designs) {
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) {
+      return studies::same_formats(g.front(), d);
+    });
+    if (group == groups.end()) {
+      groups.push_back({d});
+    } else {
+      group->push_back(d);
+    }
+  }
+  return groups;
+}
+
+studies::ErrorStudy study_group(const scene::Scene& scene, const ErrorOptions& options,
+                                const std::vector<spec::Design>& designs, bool baselines,
+                                Progress* progress) {
+  const auto triangles = load(scene, options, designs.front(), progress);
+  studies::ErrorOptions study_options;
+  study_options.designs = designs;
+  study_options.baselines = baselines;
+  study_options.maps = !options.out.empty();
+  study_options.progress = [&](const char* what, uint64_t done) { progress->update(what, done); };
+  studies::ErrorStudy study = studies::study_errors(triangles, scene.frame, study_options);
+  add_cycles(triangles, scene, designs, progress, &study);
+  return study;
+}
+
+/// The other group's designs go behind those of the first, before the baselines.
+void join(studies::ErrorStudy other, studies::ErrorStudy* study) {
+  const auto baseline = std::find_if(study->subjects.begin(), study->subjects.end(),
+                                     [](const studies::Subject& s) { return !s.is_design; });
+  study->subjects.insert(baseline, std::make_move_iterator(other.subjects.begin()),
+                         std::make_move_iterator(other.subjects.end()));
+}
+
+/// What of the state no textbook algorithm knows; empty: they can be judged.
+std::string unknown_to_baselines(const spec::FrameState& frame) {
+  std::string state = scene::unusual_state(frame);
+  if (frame.depth > spec::DepthFunc::kOff) {
+    state += fmt::format("{}depth {}", state.empty() ? "" : ", ", scene::name_of(frame.depth));
+  }
+  return state;
+}
+
 int run(const ErrorOptions& options) {
-  const std::vector<spec::Design> designs = designs_of(options);
+  const auto groups = by_format(designs_of(options));
   const Output output(options);
   Progress progress(options);
-  const scene::Scene scene = open(options, spec::contract(designs.front()), false);
+  const scene::Scene scene = open(options, spec::contract(groups.front().front()), false);
   output.line("{}: {}x{}", scene.name, scene.frame.width, scene.frame.height);
+  print_state(output, scene);
+  const std::string unknown = unknown_to_baselines(scene.frame);
 
   studies::ErrorStudy study;
   const double seconds = seconds_of([&] {
-    const auto triangles = load(scene, options, designs.front(), &progress);
-    studies::ErrorOptions study_options;
-    study_options.designs = designs;
-    study_options.maps = !options.out.empty();
-    study_options.progress = [&](const char* what, uint64_t done) { progress.update(what, done); };
-    study = studies::study_errors(triangles, scene.frame, study_options);
-    add_cycles(triangles, scene, designs, &progress, &study);
+    study = study_group(scene, options, groups.front(), unknown.empty(), &progress);
+    for (size_t i = 1; i < groups.size(); ++i) {
+      const scene::Scene again = open(options, spec::contract(groups[i].front()), false);
+      join(study_group(again, options, groups[i], false, &progress), &study);
+    }
   });
   progress.clear();
   print_notes(output, scene);
+  if (!unknown.empty()) {
+    output.warn(fmt::format("{}: the textbook algorithms know no {}: they are left out", scene.name,
+                            unknown));
+  }
 
   const Json json = error_json(study, scene, seconds);
   if (!options.out.empty()) write_folder(options.out, study, scene, json);

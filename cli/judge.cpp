@@ -8,10 +8,49 @@
 namespace pineda::cli {
 namespace {
 
+/// The exact samples of one triangle, as many rows at a time as a row of tiles has: memory stays
+/// bounded whatever the frame.
+class TileRowTruth {
+ public:
+  TileRowTruth(const exact::ScreenJudge& judge, const spec::Design& design)
+      : judge_(judge),
+        perspective_(design.perspective && !judge.affine()),
+        rows_(size_t{1} << design.tile_log2) {}
+
+  /// nullptr: not covered.
+  const exact::Sample* find(int x, int y) {
+    Row& row = rows_[static_cast<size_t>(y) % rows_.size()];
+    if (row.y != y) {
+      row.y = y;
+      row.samples.clear();
+      judge_.row(y, perspective_, &row.samples);
+    }
+    if (row.samples.empty() || x < row.samples.front().x || x > row.samples.back().x) {
+      return nullptr;
+    }
+    return &row.samples[static_cast<size_t>(x - row.samples.front().x)];
+  }
+  bool with_perspective() const { return perspective_; }
+  int first_vertex(int attribute) const {
+    return judge_.snapped().vertices()[0].attr[static_cast<size_t>(attribute)];
+  }
+
+ private:
+  struct Row {
+    int y = -1;
+    std::vector<exact::Sample> samples;
+  };
+  const exact::ScreenJudge& judge_;
+  bool perspective_;
+  std::vector<Row> rows_;
+};
+
 /// Sees the stamps of one triangle.
 struct JudgeSink {
   const spec::Contract& contract;
-  const exact::Judge& judge;
+  const spec::FrameState& frame;
+  TileRowTruth truth;
+  spec::ErrorBounds bounds;  // this triangle's
   Judgement* to;
   uint64_t right = 0;                       // samples that both cover
   std::array<int, 4> last{-1, -1, -1, -1};  // tile row, tile column, row, column of a stamp
@@ -35,24 +74,42 @@ struct JudgeSink {
       if ((stamp.mask >> lane & 1) == 0) continue;
       const int x = (stamp.x << d.stamp_width_log2) + (lane & ((1 << d.stamp_width_log2) - 1));
       const int y = (stamp.y << d.stamp_height_log2) + (lane >> d.stamp_width_log2);
-      sample(x, y, static_cast<size_t>(lane), fragment);
+      sample(x, y, fragment.z[static_cast<size_t>(lane)], fragment.attr[static_cast<size_t>(lane)],
+             stamp.planes.flat);
     }
   }
 
-  void sample(int x, int y, size_t lane, const spec::Fragment& fragment) {
+  void sample(int x, int y, uint32_t z, const spec::Attributes& attr,
+              const spec::Attributes& flat) {
     ++to->samples;
-    if (!judge.covers(x, y)) {
+    const exact::Sample* exact = truth.find(x, y);
+    if (exact == nullptr) {
       ++to->extra;
       return;
     }
     ++right;
-    to->max_depth_ulp =
-        std::max(to->max_depth_ulp, std::abs(judge.depth_error(x, y, fragment.z[lane])));
-    for (int a = 0; a < contract.design.attributes; ++a) {
-      const double error =
-          judge.attribute_error(x, y, a, fragment.attr[lane][static_cast<size_t>(a)]);
-      to->max_color_lsb = std::max(to->max_color_lsb, std::abs(error));
+    const spec::Design& d = contract.design;
+    const double depth_ulp = d.depth_test ? std::abs(exact->z.error_of(z)) : 0;
+    to->max_depth_ulp = std::max(to->max_depth_ulp, depth_ulp);
+    bool beyond = depth_ulp > bounds.depth_ulp;
+    for (int a = 0; a < spec::channels(d); ++a) {
+      const bool is_flat = a >= d.attributes;
+      const int32_t value =
+          is_flat ? flat[static_cast<size_t>(a - d.attributes)] : attr[static_cast<size_t>(a)];
+      const exact::Value wanted = is_flat ? exact::Value{truth.first_vertex(a), 0, 0}
+                                          : channel(*exact, static_cast<size_t>(a));
+      const double error = std::abs(wanted.error_of(value));
+      to->max_color_lsb = std::max(to->max_color_lsb, error);
+      const bool must_equal = is_flat || frame.shade == spec::Shade::kFlat;
+      beyond = beyond || error > (must_equal ? 0 : bounds.attribute_lsb);
     }
+    to->beyond += beyond ? 1 : 0;
+  }
+
+  /// Channels after the colour are 0 everywhere.
+  exact::Value channel(const exact::Sample& exact, size_t a) const {
+    if (a >= exact.affine.size()) return {};
+    return truth.with_perspective() ? exact.perspective[a] : exact.affine[a];
   }
 };
 
@@ -69,17 +126,23 @@ exact::ScreenTriangle stated(const scene::ScreenTriangle& triangle) {
 
 Judgement judge(scene::SnappedSource* source, core::Renderer* renderer, Progress* progress) {
   const spec::Contract& contract = renderer->contract();
+  const spec::FrameState& frame = renderer->frame();
   const auto format = studies::format_of(contract.design);
-  const auto frame = studies::exact_frame(renderer->frame());
+  const auto exact_frame = studies::exact_frame(frame);
+  const spec::ErrorBounds bounds = spec::error_bounds(contract.design);
+  const double slope = std::ldexp(frame.bias_slope, -spec::kBiasFactorFractionBits);
   Judgement judgement;
+  judgement.bounds = bounds;
   spec::Triangle triangle;
   while (source->next(&triangle)) {
     progress->update("exact judge", triangle.id);
-    const exact::ScreenJudge screen(stated(source->screen()), format, frame);
-    const exact::Judge& exact = screen.snapped();
-    JudgeSink sink{contract, exact, &judgement};
-    renderer->draw(triangle, sink);
-    judgement.missing += static_cast<uint64_t>(exact.samples()) - sink.right;
+    const exact::ScreenJudge screen(stated(source->screen()), format, exact_frame);
+    spec::ErrorBounds own = bounds;
+    own.depth_ulp += spec::depth_bias_error_bound(contract.design, slope, screen.depth_slope());
+    judgement.bounds.depth_ulp = std::max(judgement.bounds.depth_ulp, own.depth_ulp);
+    JudgeSink sink{contract, frame, TileRowTruth(screen, contract.design), own, &judgement};
+    renderer->draw_showing_all(triangle, sink);
+    judgement.missing += static_cast<uint64_t>(screen.snapped().samples()) - sink.right;
   }
   return judgement;
 }

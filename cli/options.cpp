@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 
 #include "model/spec/design_file.h"
@@ -18,6 +19,38 @@ std::optional<scene::Size> parse_size(const std::string& text) {
   const auto height = std::from_chars(width.ptr + 1, end, size.height);
   if (height.ec != std::errc() || height.ptr != end) return std::nullopt;
   return size;
+}
+
+// "X,Y,W,H".
+scene::Scissor parse_scissor(const std::string& text) {
+  std::array<int, 4> value{};
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (size_t i = 0; i < value.size(); ++i) {
+    const auto number = std::from_chars(at, end, value[i]);
+    const bool last = i + 1 == value.size();
+    const bool closed = last ? number.ptr == end : number.ptr != end && *number.ptr == ',';
+    if (number.ec != std::errc() || !closed || value[i] < 0) {
+      throw UsageError(
+          fmt::format("--scissor: expected X,Y,W,H, whole numbers of px from 0, got '{}'", text));
+    }
+    at = number.ptr + (last ? 0 : 1);
+  }
+  return {value[0], value[1], value[2], value[3]};
+}
+
+// "C,S".
+scene::DepthBias parse_depth_bias(const std::string& text, int depth_bits) {
+  const auto refuse = [&](const std::string& expected) {
+    return UsageError(fmt::format("--depth-bias: expected {}, got '{}'", expected, text));
+  };
+  const size_t comma = text.find(',');
+  if (comma == std::string::npos) throw refuse("C,S");
+  const auto constant = scene::parse_bias_constant(text.substr(0, comma).c_str(), depth_bits);
+  if (!constant) throw refuse(scene::expected_bias_constant(depth_bits) + " before the comma");
+  const auto slope = scene::parse_bias_slope(text.c_str() + comma + 1);
+  if (!slope) throw refuse(scene::kExpectedBiasSlope + std::string(" after the comma"));
+  return {*constant, *slope};
 }
 
 scene::Vec3 vector_of(const std::vector<double>& values) {
@@ -54,12 +87,28 @@ void add_scene_options(CLI::App* command, Options* o) {
       ->type_name("N")
       ->group(meshes);
   command->add_option("--cull", o->cull, "none, back or front; front = counter-clockwise")
-      ->check(CLI::IsMember({"none", "back", "front"}))
+      ->check(CLI::IsMember(scene::words_of<spec::Cull>()))
       ->type_name("FACE")
       ->group(meshes);
-  command->add_option("--depth", o->depth, "less, lequal or off")
-      ->check(CLI::IsMember({"less", "lequal", "off"}))
+  command->add_option("--depth", o->depth, scene::alternatives(scene::words_of<spec::DepthFunc>()))
+      ->check(CLI::IsMember(scene::words_of<spec::DepthFunc>()))
       ->type_name("FUNC")
+      ->group(meshes);
+  command->add_option("--scissor", o->scissor, "Draw in this rectangle alone, px")
+      ->type_name("X,Y,W,H")
+      ->group(meshes);
+  command->add_option("--depth-write", o->depth_write, "on or off: of the samples that pass")
+      ->check(CLI::IsMember(scene::words_of<bool>()))
+      ->type_name("ON")
+      ->group(meshes);
+  command
+      ->add_option("--depth-bias", o->depth_bias,
+                   "Added to depth: C codes and S times a triangle's greatest slope")
+      ->type_name("C,S")
+      ->group(meshes);
+  command->add_option("--shade", o->shade, "smooth, or flat: the first vertex's colour")
+      ->check(CLI::IsMember(scene::words_of<spec::Shade>()))
+      ->type_name("SHADE")
       ->group(meshes);
   const std::string camera = "Camera (frames the mesh unless --eye is given)";
   auto* eye = command->add_option("--eye", o->eye, "Position")
@@ -107,23 +156,9 @@ spec::Contract contract_of(const Options& options) {
                                options.design));
 }
 
-namespace {
-
-spec::Contract with(std::string (*reason)(const spec::Design&), const Options& options) {
-  const spec::Contract contract = contract_of(options);
-  const std::string why = reason(contract.design);
+void require_of(const Options& options, const spec::Design& design, Lack lack) {
+  const std::string why = lack(design);
   if (!why.empty()) throw UsageError(fmt::format("--design {}: {}", options.design, why));
-  return contract;
-}
-
-}  // namespace
-
-spec::Contract timed_contract_of(const Options& options) {
-  return with(spec::no_cycles_reason, options);
-}
-
-spec::Contract rtl_contract_of(const Options& options) {
-  return with(spec::no_rtl_reason, options);
 }
 
 scene::Scene open(const Options& o, const spec::Contract& contract, bool multi_pass) {
@@ -132,15 +167,14 @@ scene::Scene open(const Options& o, const spec::Contract& contract, bool multi_p
     options.size = parse_size(o.size);
     if (!options.size) throw UsageError(fmt::format("--size: expected WxH, got '{}'", o.size));
   }
-  if (!o.cull.empty()) {
-    options.cull = o.cull == "none"   ? spec::Cull::kNone
-                   : o.cull == "back" ? spec::Cull::kBack
-                                      : spec::Cull::kFront;
-  }
-  if (!o.depth.empty()) {
-    options.depth = o.depth == "less"     ? spec::DepthFunc::kLess
-                    : o.depth == "lequal" ? spec::DepthFunc::kLequal
-                                          : spec::DepthFunc::kOff;
+  // An option that was not given is no word.
+  options.cull = scene::named<spec::Cull>(o.cull);
+  options.depth = scene::named<spec::DepthFunc>(o.depth);
+  options.depth_write = scene::named<bool>(o.depth_write);
+  options.shade = scene::named<spec::Shade>(o.shade);
+  if (!o.scissor.empty()) options.scissor = parse_scissor(o.scissor);
+  if (!o.depth_bias.empty()) {
+    options.depth_bias = parse_depth_bias(o.depth_bias, contract.design.depth_bits);
   }
   if (!o.eye.empty()) {
     scene::Camera camera;

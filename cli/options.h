@@ -36,6 +36,10 @@ struct Options {
   std::optional<int> tessellate;
   std::string cull;
   std::string depth;
+  std::string scissor;  // X,Y,W,H
+  std::string depth_write;
+  std::string depth_bias;  // C,S
+  std::string shade;
   std::vector<double> eye, look_at;
   std::optional<double> fov_deg;
 
@@ -54,9 +58,11 @@ void add_time_options(CLI::App* command, Options* options);
 /// The design by name or from its file. Throws UsageError that lists the designs there are, or
 /// spec::DesignFileError.
 spec::Contract contract_of(const Options& options);
-/// The same for commands that need cycles, or the RTL; UsageError where the design has none.
-spec::Contract timed_contract_of(const Options& options);
-spec::Contract rtl_contract_of(const Options& options);
+/// What a design lacks for a command, or an empty text: spec::no_cycles_reason,
+/// spec::no_rtl_reason.
+using Lack = std::string (*)(const spec::Design&);
+/// UsageError where the design lacks something.
+void require_of(const Options& options, const spec::Design& design, Lack lack);
 /// Opens the scene, with `multi_pass` so that it can be rewound.
 scene::Scene open(const Options& options, const spec::Contract& contract, bool multi_pass);
 int latency_of(const Options& options, const spec::Contract& contract);
@@ -69,9 +75,11 @@ void add_render(CLI::App* program, int* exit_code);
 void add_time(CLI::App* program, int* exit_code);
 void add_rtl(CLI::App* program, int* exit_code);
 void add_study(CLI::App* program, int* exit_code);
+void add_parameters_study(CLI::App* study, int* exit_code);
 void add_error(CLI::App* program, int* exit_code);
 void add_designs(CLI::App* program, int* exit_code);
 void add_scenes(CLI::App* program, int* exit_code);
 void add_walk(CLI::App* program, int* exit_code);
+void add_needs(CLI::App* program, int* exit_code);
 
 }  // namespace pineda::cli

@@ -9,20 +9,8 @@
 #include "model/scene/writers.h"
 
 namespace pineda::cli {
-namespace {
 
-const char* name_of(spec::Cull cull) {
-  static constexpr const char* kNames[] = {"none", "back", "front"};
-  return kNames[static_cast<int>(cull)];
-}
-
-const char* name_of(spec::DepthFunc func) {
-  static constexpr const char* kNames[] = {"less", "lequal", "off"};
-  return kNames[static_cast<int>(func)];
-}
-
-}  // namespace
-
+using scene::name_of;
 Output::Output(const Options& options)
     : json_(options.json), quiet_(options.quiet), file_(options.json == "-" ? stderr : stdout) {}
 
@@ -95,19 +83,40 @@ double median(std::vector<double> seconds) {
 }
 
 Json header_json(const scene::Scene& scene, const spec::Contract& contract) {
-  return {{"scene", scene.name},
-          {"design", contract.design.name},
-          {"width", scene.frame.width},
-          {"height", scene.frame.height},
-          {"cull", name_of(scene.frame.cull)},
-          {"depth_func", name_of(scene.frame.depth)}};
+  Json json{{"scene", scene.name},
+            {"design", contract.design.name},
+            {"width", scene.frame.width},
+            {"height", scene.frame.height},
+            {"cull", name_of(scene.frame.cull)},
+            {"depth_func", name_of(scene.frame.depth)}};
+  const Json state = unusual_state_json(scene.frame);
+  json.insert(state.begin(), state.end());
+  return json;
+}
+
+Json unusual_state_json(const spec::FrameState& f) {
+  Json json = Json::object();
+  if (scene::is_cut(f)) {
+    json["scissor"] = {{"x", f.clip_x0()},
+                       {"y", f.clip_y0()},
+                       {"width", std::max(f.clip_x1() - f.clip_x0(), 0)},
+                       {"height", std::max(f.clip_y1() - f.clip_y0(), 0)}};
+  }
+  if (!f.depth_write) json["depth_write"] = name_of(f.depth_write);
+  if (f.has_bias()) {
+    json["depth_bias"] = {{"constant", f.bias_constant},
+                          {"slope", f.bias_slope / double{1 << spec::kBiasFactorFractionBits}}};
+  }
+  if (f.shade != spec::Shade::kSmooth) json["shade"] = name_of(f.shade);
+  return json;
 }
 
 Json input_json(const scene::Counters& c) {
-  return {{"triangles", c.triangles},       {"nan_dropped", c.nan_dropped},
-          {"saturated", c.saturated},       {"z_clamped", c.z_clamped},
-          {"denormals", c.denormals},       {"clipped", c.clipped},
-          {"clipped_away", c.clipped_away}, {"perspective", c.perspective}};
+  return {{"triangles", c.triangles},        {"nan_dropped", c.nan_dropped},
+          {"saturated", c.saturated},        {"z_clamped", c.z_clamped},
+          {"denormals", c.denormals},        {"clipped", c.clipped},
+          {"clipped_away", c.clipped_away},  {"perspective", c.perspective},
+          {"rounded_slope", c.rounded_slope}};
 }
 
 Json counters_json(const core::FrameCounters& c) {
@@ -122,8 +131,10 @@ Json counters_json(const core::FrameCounters& c) {
           {"tiles",
            {{"tested", c.tiles_tested},
             {"rejected", c.tiles_rejected},
-            {"accepted", c.tiles_accepted}}},
+            {"accepted", c.tiles_accepted},
+            {"hidden", c.tiles_hidden}}},
           {"stamps", c.stamps},
+          {"interpolated", c.interpolated},
           {"fragments", c.fragments},
           {"passed", c.passed}};
 }
@@ -131,9 +142,14 @@ Json counters_json(const core::FrameCounters& c) {
 void print_notes(const Output& output, const scene::Scene& scene) {
   for (const auto& warning : scene.warnings)
     output.warn(fmt::format("{}: {}", scene.name, warning));
-  for (const auto& note : scene::notes(scene.source->counters())) {
+  for (const auto& note : scene::notes(scene)) {
     output.warn(fmt::format("{}: {}", scene.name, note));
   }
+}
+
+void print_state(const Output& output, const scene::Scene& scene) {
+  std::string text = scene::unusual_state(scene.frame);
+  if (!text.empty()) output.row("state", text);
 }
 
 void print_counters(const Output& output, const core::FrameCounters& c) {
@@ -148,10 +164,13 @@ void print_counters(const Output& output, const core::FrameCounters& c) {
   }
   output.row("triangles set up", grouped(c.triangles));
   output.row("  dropped", causes.empty() ? "0" : fmt::format("{} ({})", grouped(dropped), causes));
-  output.row("tiles tested",
-             fmt::format("{} ({} rejected, {} accepted whole)", grouped(c.tiles_tested),
-                         grouped(c.tiles_rejected), grouped(c.tiles_accepted)));
-  output.row("stamps", grouped(c.stamps));
+  output.row(
+      "tiles tested",
+      fmt::format("{} ({} rejected, {} accepted whole{})", grouped(c.tiles_tested),
+                  grouped(c.tiles_rejected), grouped(c.tiles_accepted),
+                  c.tiles_hidden == 0 ? "" : fmt::format(", {} hidden", grouped(c.tiles_hidden))));
+  output.row("stamps", fmt::format("{} ({} seen, so interpolated)", grouped(c.stamps),
+                                   grouped(c.interpolated)));
   output.row("covered samples",
              fmt::format("{} ({} written)", grouped(c.fragments), grouped(c.passed)));
 }

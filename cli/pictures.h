@@ -10,9 +10,9 @@ inline scene::Frame picture_of(const spec::Contract& contract, const core::Frame
   scene::Frame frame;
   frame.width = buffer.width;
   frame.height = buffer.height;
-  frame.attributes = buffer.attributes;
+  frame.attributes = buffer.channels;
   frame.attribute_bits = contract.design.attribute_bits;
-  frame.clear_depth = static_cast<uint32_t>((uint64_t{1} << contract.design.depth_bits) - 1);
+  frame.clear_depth = core::cleared_depth(contract.design);
   frame.depth = buffer.depth;
   frame.color = buffer.color;
   frame.hits = buffer.hits;

@@ -2,6 +2,7 @@
 #include <memory>
 #include <thread>
 
+#include "cli/needs.h"
 #include "cli/pictures.h"
 #include "cli/triangles.h"
 
@@ -48,6 +49,7 @@ class BandRenderer {
       sum.tiles_accepted += c.tiles_accepted;
       sum.stamps += c.stamps;
       sum.fragments += c.fragments;
+      sum.interpolated += c.interpolated;
       sum.passed += c.passed;
     }
     return sum;
@@ -64,7 +66,7 @@ class BandRenderer {
       };
       copy_rows(band.depth, &frame.depth, width);
       copy_rows(band.hits, &frame.hits, width);
-      copy_rows(band.color, &frame.color, width * static_cast<size_t>(frame.attributes));
+      copy_rows(band.color, &frame.color, width * static_cast<size_t>(frame.channels));
     }
     return frame;
   }
@@ -105,16 +107,17 @@ double draw_repeatedly(const scene::Scene& scene, int runs, Progress* progress,
 }
 
 int run(const RenderOptions& options) {
-  const spec::Contract contract = contract_of(options);
   const Output output(options);
   Progress progress(options);
-  const scene::Scene scene = open(options, contract, false);
+  const Job job = open_job(options, lacks_nothing, false, output, &progress);
+  const spec::Contract& contract = job.contract;
+  const scene::Scene& scene = job.scene;
   BandRenderer renderer(contract, scene.frame, options.threads);
   const double seconds = options.bench > 0
                              ? draw_repeatedly(scene, options.bench, &progress, &renderer)
                              : draw_once(scene, &progress, &renderer);
   progress.clear();
-  print_notes(output, scene);
+  print_notes(output, job);
 
   const scene::Frame frame = picture_of(contract, renderer.buffer());
   if (!options.out.empty()) write_pictures(options.out, frame);
@@ -129,6 +132,7 @@ int run(const RenderOptions& options) {
   json["counters"] = counters_json(counters);
   output.line("{}: {}x{}, {}", scene.name, scene.frame.width, scene.frame.height,
               contract.design.name);
+  print_state(output, scene);
   print_counters(output, counters);
   output.row("seconds",
              fmt::format("{:.6f}{}", seconds,
@@ -148,6 +152,7 @@ void add_render(CLI::App* program, int* exit_code) {
   auto options = std::make_shared<RenderOptions>();
   auto* command = program->add_subcommand("render", "The functional model alone: pictures, dumps");
   add_scene_options(command, options.get());
+  allow_auto(command);
   command->add_option("-o,--out", options->out, "Folder for color.png and depth.png")
       ->type_name("DIR");
   command->add_option("--dump", options->dump, "Folder for hits.u16, depth.u32 and color.rgba")

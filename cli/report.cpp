@@ -74,11 +74,15 @@ std::string report_html(const CheckResult& r, const scene::Scene& scene,
   page += row("samples judged", grouped(r.judgement.samples));
   page += row("missing, too many",
               fmt::format("{}, {}", grouped(r.judgement.missing), grouped(r.judgement.extra)));
-  page += row("largest depth error", fmt::format("{:.4f} ulp, bound {:.4f}",
-                                                 r.judgement.max_depth_ulp, r.bounds.depth_ulp));
-  page += row(
-      "largest colour error",
-      fmt::format("{:.4f} LSB, bound {:.4f}", r.judgement.max_color_lsb, r.bounds.attribute_lsb));
+  page +=
+      row("largest depth error", fmt::format("{:.4f} ulp, bound {:.4f}", r.judgement.max_depth_ulp,
+                                             r.judgement.bounds.depth_ulp));
+  page +=
+      row("largest colour error", fmt::format("{:.4f} LSB, bound {:.4f}", r.judgement.max_color_lsb,
+                                              r.judgement.bounds.attribute_lsb));
+  if (r.judgement.beyond > 0) {
+    page += row("samples beyond their bounds", grouped(r.judgement.beyond));
+  }
   page += "</table>\n<h2>Work</h2>\n<table>\n";
   page += row("settings", settings);
   page += row("triangles read", grouped(r.input.triangles));
@@ -90,7 +94,7 @@ std::string report_html(const CheckResult& r, const scene::Scene& scene,
   page += row("stamps", grouped(r.counters.stamps));
   page += row("covered samples", fmt::format("{}, {} written", grouped(r.counters.fragments),
                                              grouped(r.counters.passed)));
-  for (const auto& note : scene::notes(r.input)) page += row("input", note);
+  for (const auto& note : scene::notes(scene)) page += row("input", note);
   return page + "</table>\n</html>\n";
 }
 

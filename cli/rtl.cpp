@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/models.h"
+#include "cli/needs.h"
 #include "cli/pictures.h"
 #include "cli/triangles.h"
 
@@ -44,11 +45,13 @@ class TraceFile {
 };
 
 int run(const RtlOptions& options) {
-  const spec::Contract contract = rtl_contract_of(options);
   const Output output(options);
   Progress progress(options);
+  const bool multi_pass = options.bench > 0 && !options.dump.empty();
+  const Job job = open_job(options, spec::no_rtl_reason, multi_pass, output, &progress);
+  const spec::Contract& contract = job.contract;
+  const scene::Scene& scene = job.scene;
   const auto bench_opts = bench_options(options, contract);
-  const scene::Scene scene = open(options, contract, options.bench > 0 && !options.dump.empty());
   const tb::RtlLibrary library(contract, [&](const std::string& text) { output.say(text); });
   auto bench = std::make_unique<tb::FrameBench>(library, bench_opts);
   TraceFile trace(options.trace, bench.get());
@@ -73,9 +76,11 @@ int run(const RtlOptions& options) {
     if (options.bench == 0) seconds = once;
   }
   progress.clear();
-  print_notes(output, scene);
+  print_notes(output, job);
 
-  const scene::Frame frame = picture_of(contract, bench->buffer());
+  scene::Frame frame = picture_of(contract, bench->buffer());
+  // Stamps of hidden tiles are never sent: nobody knows how many there would have been.
+  if (contract.design.hierarchical_z) frame.hits.clear();
   bench.reset();  // closes the waveform
   trace.keep();
   if (!options.out.empty()) write_pictures(options.out, frame);
@@ -90,12 +95,15 @@ int run(const RtlOptions& options) {
   json["input"] = input_json(scene.source->counters());
   output.line("{}: {}x{}, {}, depth latency {} cycles", scene.name, scene.frame.width,
               scene.frame.height, contract.design.name, bench_opts.depth_latency_cycles);
+  print_state(output, scene);
   output.row("cycles", grouped(result.cycles));
   output.row("seconds", fmt::format("{:.6f} ({:.2f} M cycles/s)", seconds,
                                     static_cast<double>(result.cycles) / seconds * 1e-6));
   if (!options.out.empty()) output.row("pictures", options.out + "/color.png, depth.png");
   if (!options.dump.empty()) {
-    output.row("dump", options.dump + "/hits.u16, depth.u32, color.rgba");
+    output.row("dump", options.dump + (frame.hits.empty() ? "/depth.u32, color.rgba; no hits.u16: "
+                                                            "hierarchical z hides triangles"
+                                                          : "/hits.u16, depth.u32, color.rgba"));
   }
   if (!options.trace.empty()) output.row("waveform", options.trace);
   output.json(json);
@@ -110,6 +118,7 @@ void add_rtl(CLI::App* program, int* exit_code) {
       program->add_subcommand("rtl", "The Verilated RTL alone: cycles, dumps, waveform");
   add_scene_options(command, options.get());
   add_time_options(command, options.get());
+  allow_auto(command);
   command->add_option("-o,--out", options->out, "Folder for color.png and depth.png")
       ->type_name("DIR");
   command->add_option("--dump", options->dump, "Folder for hits.u16, depth.u32 and color.rgba")

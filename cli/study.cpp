@@ -85,7 +85,9 @@ int design_points(const StudyOptions& options) {
   const Output output(options);
   Progress progress(options);
   studies::DesignPointOptions study;
-  study.designs = spec::designs();
+  for (const auto& was : studies::prototype_points()) {
+    study.designs.push_back(*spec::find_design(was.name));
+  }
   study.triangles = options.triangles;
   study.seed = options.seed;
   study.progress = [&](const char* what, uint64_t done) { progress.update(what, done); };
@@ -199,11 +201,13 @@ void add_study(CLI::App* program, int* exit_code) {
     const auto rest = study->remaining(true);
     const bool chosen = !study->get_subcommands().empty();
     if (chosen && rest.empty()) return;
-    throw UsageError(
-        fmt::format("study: expected {}{} (see pineda study --help)",
-                    chosen ? "no more arguments" : "design-points, bounds or reciprocals",
-                    rest.empty() ? "" : ", got '" + rest.front() + "'"));
+    throw UsageError(fmt::format(
+        "study: expected {}{} (see pineda study --help)",
+        chosen ? "no more arguments" : "parameters, design-points, bounds or reciprocals",
+        rest.empty() ? "" : ", got '" + rest.front() + "'"));
   });
+
+  add_parameters_study(study, exit_code);
 
   auto point_options = std::make_shared<StudyOptions>();
   point_options->seed = 1;

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "cli/models.h"
+#include "cli/needs.h"
 #include "cli/triangles.h"
 
 namespace pineda::cli {
@@ -26,11 +27,12 @@ void print_unit(const Output& output, const char* name, const timing::UnitCycles
 }
 
 int run(const TimeOptions& options) {
-  const spec::Contract contract = timed_contract_of(options);
   const Output output(options);
   Progress progress(options);
+  const Job job = open_job(options, spec::no_cycles_reason, false, output, &progress);
+  const spec::Contract& contract = job.contract;
+  const scene::Scene& scene = job.scene;
   const auto bench = bench_options(options, contract);
-  const scene::Scene scene = open(options, contract, false);
   const auto top = make_model(contract, bench);
 
   timing::FrameResult result;
@@ -38,7 +40,7 @@ int run(const TimeOptions& options) {
       frame_seconds(scene, options.bench, &progress, "timing",
                     [&](timing::Pull pull) { result = top->run(scene.frame, std::move(pull)); });
   progress.clear();
-  print_notes(output, scene);
+  print_notes(output, job);
 
   Json json = header_json(scene, contract);
   json["cycles"] = result.cycles;
@@ -53,6 +55,7 @@ int run(const TimeOptions& options) {
                    {"interp_ztest", cycles_json(result.interp_ztest)}};
   output.line("{}: {}x{}, {}, depth latency {} cycles", scene.name, scene.frame.width,
               scene.frame.height, contract.design.name, bench.depth_latency_cycles);
+  print_state(output, scene);
   output.row("cycles", grouped(static_cast<uint64_t>(result.cycles)));
   print_counters(output, result.counters);
   output.line("  {:<22}{:>9} {:>10} {:>10} {:>9}", "unit", "busy", "starved", "blocked", "hazard");
@@ -73,6 +76,7 @@ void add_time(CLI::App* program, int* exit_code) {
   auto* command = program->add_subcommand("time", "The SystemC cycle model alone: cycles, stalls");
   add_scene_options(command, options.get());
   add_time_options(command, options.get());
+  allow_auto(command);
   command->add_flag("--bits", options->bits,
                     "Compute every bit, not only what time depends on (this version always does)");
   command->add_option("--bench", options->bench, "Median seconds of N runs in memory")

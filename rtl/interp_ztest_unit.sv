@@ -1,38 +1,56 @@
 // Interpolation and depth test: one stamp in, its depth and colour writes out, in order.
 //
-// Bits     core::interpolate() and core::depth_test() define every output bit.
-// In       stamp_i; depth_func_i: stable while any stamp of the frame is inside.
+// Bits     core::interpolate_depth(), core::depth_test() and core::interpolate_attributes() define
+//          every output bit.
+// In       stamp_i; depth_func_i, depth_write_i: stable while any stamp of the frame is inside.
 // Out      depth_wr_o, color_wr_o: the covered samples that pass; nothing if none does. With the
-//          test off, colour only.
+//          test off, or depth not to be written, colour only.
 // Rate     a stamp a cycle at any read latency up to INFLIGHT_STAMPS - 4 cycles, as long as no
 //          hazard and no port stalls it: a stamp whose address is in flight waits. In flight = from
 //          the read accepted to the depth write accepted, or to the cycle in which that write would
 //          have been offered: time does not depend on depth. A read of the address may be accepted
-//          in the cycle after.
+//          in the cycle after. Attributes are interpolated where a sample passed, and follow
+//          ATTRIBUTE_CYCLES later. A design without depth has no table and no queue: every stamp
+//          goes to its colour write.
 // Drops    samples that fail the test.
 // Errors   none.
 // Twin     model/core/interp.cpp.
 module interp_ztest_unit (
   input  logic                      clk_i,
   input  logic                      rst_ni,
-  input  logic [1:0]                depth_func_i,
 
   // Stamps, from traversal_unit
   input  logic                      stamp_valid_i,
   output logic                      stamp_ready_o,
   input  pineda_pkg::stamp_t        stamp_i,
 
-  // Depth memory, read: responses come in the order of the requests and are always taken
+`ifdef PINEDA_DEPTH
+  // Raster state
+  input  logic [3:0]                depth_func_i,
+  input  logic                      depth_write_i,
+
+`ifdef PINEDA_HIERARCHICAL_Z
+  // All samples of a stamp in the frame are read, so that its greatest depth is known when its depth
+  // write is accepted
+  input  logic [pineda_pkg::FRAME_SIZE_BITS-1:0] frame_width_i,
+  input  logic [pineda_pkg::FRAME_SIZE_BITS-1:0] frame_height_i,
+  output logic                      depth_max_valid_o,
+  output pineda_pkg::depth_max_t    depth_max_o,
+`endif
+
+  // Depth memory: responses come in the order of the requests and are always taken; writes are
+  // stable while valid && !ready
   output logic                      depth_rd_valid_o,
   input  logic                      depth_rd_ready_i,
   output pineda_pkg::depth_read_t   depth_rd_o,
   input  logic                      depth_rsp_valid_i,
   input  pineda_pkg::depth_data_t   depth_rsp_i,
-
-  // Depth and colour memory, write; stable while valid && !ready
   output logic                      depth_wr_valid_o,
   input  logic                      depth_wr_ready_i,
   output pineda_pkg::depth_write_t  depth_wr_o,
+`endif
+
+  // Colour memory; stable while valid && !ready
   output logic                      color_wr_valid_o,
   input  logic                      color_wr_ready_i,
   output pineda_pkg::color_write_t  color_wr_o,
@@ -40,12 +58,75 @@ module interp_ztest_unit (
   output logic                      idle_o
 );
   localparam int unsigned LANES = pineda_pkg::LANES;
+`ifdef PINEDA_PERSPECTIVE
+  localparam int unsigned COEFF_BITS = pineda_pkg::EDGE_COEFF_BITS;
+`endif
+`ifdef PINEDA_DEPTH
+  localparam int unsigned TILE_LOG2 = pineda_pkg::TILE_LOG2;
+`elsif PINEDA_ATTRIBUTES
+  localparam int unsigned TILE_LOG2 = pineda_pkg::TILE_LOG2;
+`endif
+
+  // A stamp that waits for its test: its address and what its colours need
+  typedef struct packed {
+    logic [pineda_pkg::ID_BITS-1:0]      id;
+    logic [pineda_pkg::STAMP_X_BITS-1:0] x;
+    logic [pineda_pkg::STAMP_Y_BITS-1:0] y;
+    logic [LANES-1:0]                    mask;
+`ifdef PINEDA_AFFINE
+    logic [pineda_pkg::ATTRIBUTES*pineda_pkg::ATTR_TILE_PLANE_BITS-1:0] attr_dx;
+    logic [pineda_pkg::ATTRIBUTES*pineda_pkg::ATTR_TILE_PLANE_BITS-1:0] attr_dy;
+    logic [pineda_pkg::ATTRIBUTES*pineda_pkg::ATTR_TILE_PLANE_BITS-1:0] attr_ref;
+`endif
+`ifdef PINEDA_PERSPECTIVE
+    logic [3*COEFF_BITS-1:0]                      a;
+    logic [3*COEFF_BITS-1:0]                      b;
+    logic [3*pineda_pkg::EDGE_BITS-1:0]           e;
+    logic [3*pineda_pkg::SUBPIXEL_BITS-1:0]       e_low;
+    logic [3*pineda_pkg::INVERSE_W_BITS-1:0]      inverse_w;
+    logic [3*pineda_pkg::INVERSE_W_SHIFT_BITS-1:0] inverse_w_shift;
+    logic [3*pineda_pkg::ATTRIBUTES*pineda_pkg::ATTR_BITS-1:0] vertex_attr;
+`endif
+`ifdef PINEDA_FLAT_ATTRIBUTES
+    logic [pineda_pkg::FLAT_ATTRIBUTES*pineda_pkg::ATTR_BITS-1:0] flat;
+`endif
+  } waiting_t;
+  waiting_t waiting, head;
+  assign waiting.id = stamp_i.id;
+  assign waiting.x = stamp_i.x;
+  assign waiting.y = stamp_i.y;
+  assign waiting.mask = stamp_i.mask;
+`ifdef PINEDA_AFFINE
+  assign waiting.attr_dx = stamp_i.attr_dx;
+  assign waiting.attr_dy = stamp_i.attr_dy;
+  assign waiting.attr_ref = stamp_i.attr_ref;
+`endif
+`ifdef PINEDA_PERSPECTIVE
+  assign waiting.a = stamp_i.a;
+  assign waiting.b = stamp_i.b;
+  assign waiting.e = stamp_i.e;
+  assign waiting.e_low = stamp_i.e_low;
+  assign waiting.inverse_w = stamp_i.inverse_w;
+  assign waiting.inverse_w_shift = stamp_i.inverse_w_shift;
+  assign waiting.vertex_attr = stamp_i.vertex_attr;
+`endif
+`ifdef PINEDA_FLAT_ATTRIBUTES
+  assign waiting.flat = stamp_i.flat;
+`endif
+
+  // A stamp is loaded into the write register, from where its depth and its colours leave.
+  logic load, write_free;
+  logic [LANES-1:0] passed;
+  logic color_pending_q, colors_ready;
+  logic [pineda_pkg::ID_BITS-1:0] id_q;
+  logic [pineda_pkg::STAMP_X_BITS-1:0] x_q;
+  logic [pineda_pkg::STAMP_Y_BITS-1:0] y_q;
+  logic [LANES-1:0] mask_q;
+
+`ifdef PINEDA_DEPTH
   localparam int unsigned Z_BITS = pineda_pkg::DEPTH_BITS;
-  localparam int unsigned ATTRS_BITS = pineda_pkg::ATTRIBUTES * pineda_pkg::ATTR_BITS;
   localparam int unsigned INFLIGHT = pineda_pkg::INFLIGHT_STAMPS;
   localparam int unsigned ADDRESS_BITS = pineda_pkg::STAMP_X_BITS + pineda_pkg::STAMP_Y_BITS;
-  localparam int unsigned FRAGMENT_BITS =
-      pineda_pkg::DEPTH_READ_BITS + LANES * (Z_BITS + ATTRS_BITS);
 
   logic test;
   assign test = depth_func_i != pineda_pkg::DEPTH_OFF;
@@ -58,7 +139,20 @@ module interp_ztest_unit (
   assign depth_rd_o.id = stamp_i.id;
   assign depth_rd_o.x = stamp_i.x;
   assign depth_rd_o.y = stamp_i.y;
+`ifdef PINEDA_HIERARCHICAL_Z
+  for (genvar lane = 0; lane < LANES; lane++) begin : gen_read
+    localparam int unsigned COLUMN = lane % (1 << pineda_pkg::STAMP_WIDTH_LOG2);
+    localparam int unsigned ROW = lane >> pineda_pkg::STAMP_WIDTH_LOG2;
+    localparam int unsigned SIZE_BITS = pineda_pkg::FRAME_SIZE_BITS;
+    assign depth_rd_o.mask[lane] =
+        (SIZE_BITS'(stamp_i.x) << pineda_pkg::STAMP_WIDTH_LOG2) + SIZE_BITS'(COLUMN) <
+            frame_width_i &&
+        (SIZE_BITS'(stamp_i.y) << pineda_pkg::STAMP_HEIGHT_LOG2) + SIZE_BITS'(ROW) <
+            frame_height_i;
+  end
+`else
   assign depth_rd_o.mask = stamp_i.mask;
+`endif
 
   inflight_table #(.Width(ADDRESS_BITS), .Depth(INFLIGHT)) u_inflight (
     .clk_i, .rst_ni,
@@ -71,97 +165,227 @@ module interp_ztest_unit (
     .remove_i(retire)
   );
 
-  // ---- Interpolation while the read is under way. The table counts every stamp from here to its
-  // write, and both FIFOs are as deep as the table, so neither can be full.
-  logic fragment_valid, head_valid, rsp_valid, load;
-  pineda_pkg::depth_read_t address, head;
+  // ---- Depth while the read is under way. The table counts every stamp from here to its write,
+  // and the FIFOs are as deep as the table, so none can be full.
+  logic z_valid, waiting_valid, head_z_valid, rsp_valid;
+  logic waiting_ready, z_ready, rsp_ready;
   logic [LANES*Z_BITS-1:0] z, head_z;
-  logic [LANES*ATTRS_BITS-1:0] attr, head_attr;
   pineda_pkg::depth_data_t stored;
-  interpolator u_interpolator (
+  logic [TILE_LOG2-1:0] tile_x, tile_y; // of the stamp's first sample, from the tile's corner
+  assign tile_x = TILE_LOG2'(stamp_i.x) << pineda_pkg::STAMP_WIDTH_LOG2;
+  assign tile_y = TILE_LOG2'(stamp_i.y) << pineda_pkg::STAMP_HEIGHT_LOG2;
+  depth_interpolator u_depth (
     .clk_i, .rst_ni,
-    .stamp_valid_i(accept), .stamp_i,
-    .fragment_valid_o(fragment_valid), .address_o(address), .z_o(z), .attr_o(attr)
+    .stamp_valid_i(accept),
+    .i_i(tile_x), .j_i(tile_y), .mask_i(stamp_i.mask),
+    .z_dx_i(stamp_i.z_dx), .z_dy_i(stamp_i.z_dy), .z_ref_i(stamp_i.z_ref),
+    .z_bias_i(stamp_i.z_bias),
+    .z_valid_o(z_valid), .z_o(z)
   );
 
-  logic fragments_ready, responses_ready;
-  stream_fifo #(.Width(FRAGMENT_BITS), .Depth(INFLIGHT)) u_fragments (
+  stream_fifo #(.Width($bits(waiting)), .Depth(INFLIGHT)) u_waiting (
     .clk_i, .rst_ni,
-    .in_valid_i(fragment_valid), .in_ready_o(fragments_ready), .in_data_i({address, z, attr}),
-    .out_valid_o(head_valid), .out_ready_i(load), .out_data_o({head, head_z, head_attr})
+    .in_valid_i(accept), .in_ready_o(waiting_ready), .in_data_i(waiting),
+    .out_valid_o(waiting_valid), .out_ready_i(load), .out_data_o(head)
+  );
+  stream_fifo #(.Width(LANES*Z_BITS), .Depth(INFLIGHT)) u_z (
+    .clk_i, .rst_ni,
+    .in_valid_i(z_valid), .in_ready_o(z_ready), .in_data_i(z),
+    .out_valid_o(head_z_valid), .out_ready_i(load), .out_data_o(head_z)
   );
   stream_fifo #(.Width(pineda_pkg::DEPTH_DATA_BITS), .Depth(INFLIGHT)) u_responses (
     .clk_i, .rst_ni,
-    .in_valid_i(depth_rsp_valid_i), .in_ready_o(responses_ready), .in_data_i(depth_rsp_i),
+    .in_valid_i(depth_rsp_valid_i), .in_ready_o(rsp_ready), .in_data_i(depth_rsp_i),
     .out_valid_o(rsp_valid), .out_ready_i(load && test), .out_data_o(stored)
   );
+  assign load = waiting_valid && head_z_valid && (rsp_valid || !test) && write_free;
 
-  // ---- Depth test
-  function automatic logic passes(input logic [Z_BITS-1:0] new_z, input logic [Z_BITS-1:0] old_z,
-                                  input logic [1:0] func);
-    passes = func == pineda_pkg::DEPTH_OFF || new_z < old_z ||
-             (func == pineda_pkg::DEPTH_LEQUAL && new_z == old_z);
-  endfunction
-  logic [LANES-1:0] passed;
+  // ---- Depth test: which outcomes of the comparison pass
+  logic pass_less, pass_equal, pass_greater;
+  always_comb begin
+    case (depth_func_i)
+      pineda_pkg::DEPTH_LESS:     {pass_less, pass_equal, pass_greater} = 3'b100;
+      pineda_pkg::DEPTH_LEQUAL:   {pass_less, pass_equal, pass_greater} = 3'b110;
+      pineda_pkg::DEPTH_NEVER:    {pass_less, pass_equal, pass_greater} = 3'b000;
+      pineda_pkg::DEPTH_EQUAL:    {pass_less, pass_equal, pass_greater} = 3'b010;
+      pineda_pkg::DEPTH_GREATER:  {pass_less, pass_equal, pass_greater} = 3'b001;
+      pineda_pkg::DEPTH_NOTEQUAL: {pass_less, pass_equal, pass_greater} = 3'b101;
+      pineda_pkg::DEPTH_GEQUAL:   {pass_less, pass_equal, pass_greater} = 3'b011;
+      default:                    {pass_less, pass_equal, pass_greater} = 3'b111; // off, always
+    endcase
+  end
   always_comb begin
     passed = 'x;
-    if (head_valid) begin
+    if (head_z_valid) begin
       for (int unsigned i = 0; i < LANES; i++) begin
-        passed[i] = head.mask[i] && passes(head_z[i*Z_BITS +: Z_BITS],
-                                           stored.z[i*Z_BITS +: Z_BITS], depth_func_i);
+        if (head_z[i*Z_BITS +: Z_BITS] < stored.z[i*Z_BITS +: Z_BITS]) passed[i] = pass_less;
+        else if (head_z[i*Z_BITS +: Z_BITS] == stored.z[i*Z_BITS +: Z_BITS]) passed[i] = pass_equal;
+        else passed[i] = pass_greater;
       end
+      passed = passed & head.mask;
     end
   end
 
-  // ---- Write: depth and colour leave side by side, each when its port takes it
-  logic depth_pending_q, color_pending_q, write_free;
-  pineda_pkg::color_write_t write_q; // address, mask and attributes
-  logic [LANES*Z_BITS-1:0] write_z_q;
-  assign depth_wr_valid_o = depth_pending_q && test && write_q.mask != '0;
-  assign color_wr_valid_o = color_pending_q;
+  // ---- The depth write: a stamp retires with it, or in its place when there is none
+  logic depth_pending_q;
+  logic [LANES*Z_BITS-1:0] z_q;
+  assign depth_wr_valid_o = depth_pending_q && test && depth_write_i && mask_q != '0;
   assign retire = depth_pending_q && (!depth_wr_valid_o || depth_wr_ready_i);
-  assign write_free = (!depth_pending_q || retire) && (!color_pending_q || color_wr_ready_i);
-  assign load = head_valid && (rsp_valid || !test) && write_free;
-  assign depth_wr_o.id = write_q.id;
-  assign depth_wr_o.x = write_q.x;
-  assign depth_wr_o.y = write_q.y;
-  assign depth_wr_o.mask = write_q.mask;
-  assign depth_wr_o.z = write_z_q;
-  assign color_wr_o = write_q;
-  assign idle_o = table_empty && !color_pending_q;
-
+  assign write_free = (!depth_pending_q || retire) && (!color_pending_q || colors_ready);
+  assign depth_wr_o.id = id_q;
+  assign depth_wr_o.x = x_q;
+  assign depth_wr_o.y = y_q;
+  assign depth_wr_o.mask = mask_q;
+  assign depth_wr_o.z = z_q;
   always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      depth_pending_q <= 1'b0;
-      color_pending_q <= 1'b0;
-    end else if (load) begin
-      depth_pending_q <= 1'b1;
-      color_pending_q <= passed != '0;
-    end else begin
-      if (retire) depth_pending_q <= 1'b0;
-      if (color_wr_ready_i) color_pending_q <= 1'b0;
-    end
+    if (!rst_ni) depth_pending_q <= 1'b0;
+    else if (load) depth_pending_q <= 1'b1;
+    else if (retire) depth_pending_q <= 1'b0;
   end
-
   always_ff @(posedge clk_i) begin
     if (load) begin
-      write_q.id <= head.id;
-      write_q.x <= head.x;
-      write_q.y <= head.y;
-      write_q.mask <= passed;
       for (int unsigned i = 0; i < LANES; i++) begin
-        write_q.attr[i*ATTRS_BITS +: ATTRS_BITS] <=
-            passed[i] ? head_attr[i*ATTRS_BITS +: ATTRS_BITS] : '0;
-        write_z_q[i*Z_BITS +: Z_BITS] <= passed[i] ? head_z[i*Z_BITS +: Z_BITS] : '0;
+        z_q[i*Z_BITS +: Z_BITS] <= passed[i] ? head_z[i*Z_BITS +: Z_BITS] : '0;
       end
     end
   end
+
+`ifdef PINEDA_HIERARCHICAL_Z
+  localparam int unsigned MAX_BITS = pineda_pkg::HIERARCHICAL_Z_BITS;
+  logic [MAX_BITS-1:0] greatest, greatest_q;
+  always_comb begin
+    greatest = '0;
+    if (head_z_valid) begin
+      for (int unsigned i = 0; i < LANES; i++) begin
+        if (passed[i]) begin
+          if (head_z[(i+1)*Z_BITS-1 -: MAX_BITS] > greatest) begin
+            greatest = head_z[(i+1)*Z_BITS-1 -: MAX_BITS];
+          end
+        end else if (stored.z[(i+1)*Z_BITS-1 -: MAX_BITS] > greatest) begin
+          greatest = stored.z[(i+1)*Z_BITS-1 -: MAX_BITS];
+        end
+      end
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (load) greatest_q <= greatest;
+  end
+  assign depth_max_valid_o = depth_wr_valid_o && depth_wr_ready_i;
+  assign depth_max_o.x = x_q;
+  assign depth_max_o.y = y_q;
+  assign depth_max_o.z = greatest_q;
+`endif
+`else
+  assign stamp_ready_o = write_free;
+  assign load = stamp_valid_i && write_free;
+  assign head = waiting;
+  assign passed = head.mask;
+  assign write_free = !color_pending_q || colors_ready;
+`endif
+
+  // ---- The write register: what depth and colours share, and the flat attributes
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) color_pending_q <= 1'b0;
+    else if (load) color_pending_q <= passed != '0;
+    else if (colors_ready) color_pending_q <= 1'b0;
+  end
+  always_ff @(posedge clk_i) begin
+    if (load) begin
+      id_q <= head.id;
+      x_q <= head.x;
+      y_q <= head.y;
+      mask_q <= passed;
+    end
+  end
+`ifdef PINEDA_FLAT_ATTRIBUTES
+  logic [pineda_pkg::FLAT_ATTRIBUTES*pineda_pkg::ATTR_BITS-1:0] flat_q;
+  always_ff @(posedge clk_i) begin
+    if (load) flat_q <= head.flat;
+  end
+  localparam int unsigned TOKEN_BITS = $bits(id_q) + $bits(x_q) + $bits(y_q) + LANES +
+                                       $bits(flat_q);
+  logic [TOKEN_BITS-1:0] token, leaving;
+  assign token = {id_q, x_q, y_q, mask_q, flat_q};
+  assign {color_wr_o.id, color_wr_o.x, color_wr_o.y, color_wr_o.mask, color_wr_o.flat} = leaving;
+`else
+  localparam int unsigned TOKEN_BITS = $bits(id_q) + $bits(x_q) + $bits(y_q) + LANES;
+  logic [TOKEN_BITS-1:0] token, leaving;
+  assign token = {id_q, x_q, y_q, mask_q};
+  assign {color_wr_o.id, color_wr_o.x, color_wr_o.y, color_wr_o.mask} = leaving;
+`endif
+
+`ifdef PINEDA_ATTRIBUTES
+  // ---- Attributes. A stamp enters when there is room behind the pipe, which so never stops.
+  localparam int unsigned ROOM = pineda_pkg::ATTRIBUTE_CYCLES + 1;
+  localparam int unsigned ATTRS_BITS = LANES * pineda_pkg::ATTRIBUTES * pineda_pkg::ATTR_BITS;
+  logic attr_valid, attr_ready, token_valid, color_valid;
+  logic [ATTRS_BITS-1:0] attr;
+  logic [TILE_LOG2-1:0] head_tile_x, head_tile_y;
+  assign head_tile_x = TILE_LOG2'(head.x) << pineda_pkg::STAMP_WIDTH_LOG2;
+  assign head_tile_y = TILE_LOG2'(head.y) << pineda_pkg::STAMP_HEIGHT_LOG2;
+
+`ifdef PINEDA_AFFINE
+  attribute_interpolator u_attributes (
+    .clk_i,
+    .load_i(load && passed != '0),
+    .i_i(head_tile_x), .j_i(head_tile_y),
+    .attr_dx_i(head.attr_dx), .attr_dy_i(head.attr_dy), .attr_ref_i(head.attr_ref),
+    .start_i(color_pending_q && colors_ready), .mask_i(mask_q),
+    .attr_o(attr)
+  );
+  assign attr_valid = color_pending_q && colors_ready;
+`else
+  perspective_interpolator u_attributes (
+    .clk_i, .rst_ni,
+    .load_i(load && passed != '0),
+    .i_i(head_tile_x), .j_i(head_tile_y),
+    .a_i(head.a), .b_i(head.b), .e_i(head.e), .e_low_i(head.e_low),
+    .inverse_w_i(head.inverse_w), .inverse_w_shift_i(head.inverse_w_shift),
+    .vertex_attr_i(head.vertex_attr),
+    .start_i(color_pending_q && colors_ready), .mask_i(mask_q),
+    .attr_valid_o(attr_valid), .attr_o(attr)
+  );
+`endif
+
+  stream_fifo #(.Width(ATTRS_BITS), .Depth(ROOM)) u_colors (
+    .clk_i, .rst_ni,
+    .in_valid_i(attr_valid), .in_ready_o(attr_ready), .in_data_i(attr),
+    .out_valid_o(color_valid), .out_ready_i(token_valid && color_wr_ready_i),
+    .out_data_o(color_wr_o.attr)
+  );
+  // Address, mask and flat attributes of every stamp that entered, from the first cycle on.
+  stream_fifo #(.Width(TOKEN_BITS), .Depth(ROOM)) u_tokens (
+    .clk_i, .rst_ni,
+    .in_valid_i(color_pending_q), .in_ready_o(colors_ready), .in_data_i(token),
+    .out_valid_o(token_valid), .out_ready_i(color_valid && color_wr_ready_i),
+    .out_data_o(leaving)
+  );
+  assign color_wr_valid_o = token_valid && color_valid;
+`else
+  logic token_valid;
+  assign token_valid = 1'b0;
+  assign colors_ready = color_wr_ready_i;
+  assign color_wr_valid_o = color_pending_q;
+  assign leaving = token;
+`endif
+
+`ifdef PINEDA_DEPTH
+  assign idle_o = table_empty && !color_pending_q && !token_valid;
+`else
+  assign idle_o = !color_pending_q && !token_valid;
+`endif
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin
-      assert (!fragment_valid || fragments_ready) else $error("a fragment finds its FIFO full");
-      assert (!depth_rsp_valid_i || responses_ready) else $error("a response nobody asked for");
+`ifdef PINEDA_DEPTH
+      assert (!accept || waiting_ready) else $error("a stamp finds its FIFO full");
+      assert (!z_valid || z_ready) else $error("depths find their FIFO full");
+      assert (!depth_rsp_valid_i || rsp_ready) else $error("a response nobody asked for");
+`endif
+`ifdef PINEDA_ATTRIBUTES
+      assert (!attr_valid || attr_ready) else $error("attributes find their FIFO full");
+`endif
       assert (!stamp_valid_i || stamp_i.mask != '0) else $error("an empty stamp");
     end
   end

@@ -1,6 +1,11 @@
 // Generated from model/spec for the design high_tile. Do not edit: change model/spec and run
 // `cmake --build build --target package`.
+`define PINEDA_SETUP_STEPPED
 `define PINEDA_RECIPROCAL_NEWTON
+`define PINEDA_DEPTH
+`define PINEDA_PLANES
+`define PINEDA_ATTRIBUTES
+`define PINEDA_AFFINE
 package pineda_pkg;
 
   localparam int unsigned SUBPIXEL_BITS             = 8; // S: x, y are multiples of 2^-S px
@@ -16,14 +21,27 @@ package pineda_pkg;
   localparam int unsigned DEPTH_NUMERATOR_BITS      = 56; // gradient numerator of z
   localparam int unsigned DEPTH_PLANE_BITS          = 44; // gradient, reference, accumulator of z
   localparam int unsigned DEPTH_TILE_PLANE_BITS     = 34; // the same inside a tile
-  localparam int unsigned ATTRIBUTES                = 4; // attributes of a vertex
+  localparam int unsigned BIAS_FACTOR_FRACTION_BITS = 8; // gradient's magnitude, slope factor
+  localparam int unsigned BIAS_MAGNITUDE_BITS       = 35; // the magnitude, saturated
+  localparam int unsigned BIAS_SLOPE_BITS           = 16; // the slope factor
+  localparam int unsigned BIAS_CONSTANT_BITS        = 25; // the constant
+  localparam int unsigned BIAS_FRACTION_BITS        = 16; // fraction of the bias
+  localparam int unsigned DEPTH_BIAS_BITS           = 42; // the bias, saturated
+  localparam int unsigned INFLIGHT_STAMPS           = 72; // stamps between read issued and write accepted
+  localparam int unsigned ATTRIBUTES                = 4; // interpolated attributes
   localparam int unsigned ATTR_BITS                 = 8; // one attribute
+  localparam int unsigned ATTRIBUTE_CYCLES          = 1; // from the depth test to the colours
   localparam int unsigned ATTR_NUMERATOR_BITS       = 32; // gradient numerator of an attribute
   localparam int unsigned ATTR_PLANE_BITS           = 28; // gradient, reference, accumulator of an attribute
   localparam int unsigned ATTR_TILE_PLANE_BITS      = 18; // the same inside a tile
-  localparam int unsigned RECIPROCAL_BITS           = 30; // k: mantissa of 1/area2
   localparam int unsigned GRADIENT_FRACTION_BITS    = 18; // F
   localparam int unsigned TILE_FRACTION_BITS        = 8; // F': inside a tile
+  localparam int unsigned PLANES                    = 5; // depth, then affine attributes
+  localparam int unsigned VALUE_BITS                = 32; // what a plane is made of: the widest
+  localparam int unsigned VALUE_FRACTION_BITS       = 8; // its fraction
+  localparam int unsigned NUMERATOR_BITS            = 56; // its gradient numerator
+  localparam int unsigned PLANE_BITS                = 44; // gradient, reference: the widest
+  localparam int unsigned SETUP_PLANES_STEP         = 8; // step of setup in which the first starts
   localparam int unsigned TILE_LOG2                 = 3; // tile side, log2 px
   localparam int unsigned STAMP_WIDTH_LOG2          = 1; // log2 px
   localparam int unsigned STAMP_HEIGHT_LOG2         = 1; // log2 px
@@ -33,12 +51,13 @@ package pineda_pkg;
   localparam int unsigned TILE_INDEX_BITS           = 11; // tile column or row
   localparam int unsigned STAMP_X_BITS              = 13; // stamp column
   localparam int unsigned STAMP_Y_BITS              = 13; // stamp row
-  localparam int unsigned SETUP_PLANES_STEP         = 8; // step of setup in which the first plane starts
   localparam int unsigned SETUP_INTERVAL_CYCLES     = 12; // a triangle every so many cycles
+  localparam int unsigned SETUP_LATENCY_CYCLES      = 19; // from a triangle to its primitive
   localparam int unsigned PRIM_FIFO_DEPTH           = 4; // setup -> traversal
   localparam int unsigned TILE_FIFO_DEPTH           = 2; // tile test -> stamps
   localparam int unsigned STAMP_FIFO_DEPTH          = 4; // traversal -> interpolation
-  localparam int unsigned INFLIGHT_STAMPS           = 72; // stamps between read issued and write accepted
+  localparam int unsigned RECIPROCAL_BITS           = 30; // k: mantissa of a reciprocal
+  localparam int unsigned RECIPROCAL_CYCLES         = 6; // from its number to it
   localparam int unsigned RECIPROCAL_LUT_BITS       = 7; // index of the ROM
   localparam int unsigned RECIPROCAL_ROM_BITS       = 8; // entry of the ROM, leading 1 implied
   localparam int unsigned RECIPROCAL_NEWTON_STEPS   = 2;
@@ -50,20 +69,36 @@ package pineda_pkg;
   localparam int unsigned ID_BITS = 32;
 `endif
 
-  localparam logic [1:0] CULL_NONE    = 2'd0;
-  localparam logic [1:0] CULL_BACK    = 2'd1;
-  localparam logic [1:0] CULL_FRONT   = 2'd2;
-  localparam logic [1:0] DEPTH_LESS   = 2'd0;
-  localparam logic [1:0] DEPTH_LEQUAL = 2'd1;
-  localparam logic [1:0] DEPTH_OFF    = 2'd2;
+  localparam logic [1:0] CULL_NONE      = 2'd0;
+  localparam logic [1:0] CULL_BACK      = 2'd1;
+  localparam logic [1:0] CULL_FRONT     = 2'd2;
+  localparam logic [0:0] SHADE_SMOOTH   = 1'd0;
+  localparam logic [0:0] SHADE_FLAT     = 1'd1;
+  localparam logic [3:0] DEPTH_LESS     = 4'd0;
+  localparam logic [3:0] DEPTH_LEQUAL   = 4'd1;
+  localparam logic [3:0] DEPTH_OFF      = 4'd2;
+  localparam logic [3:0] DEPTH_NEVER    = 4'd3;
+  localparam logic [3:0] DEPTH_EQUAL    = 4'd4;
+  localparam logic [3:0] DEPTH_GREATER  = 4'd5;
+  localparam logic [3:0] DEPTH_NOTEQUAL = 4'd6;
+  localparam logic [3:0] DEPTH_GEQUAL   = 4'd7;
+  localparam logic [3:0] DEPTH_ALWAYS   = 4'd8;
 
   typedef struct packed {
     logic        [14:0]          width; // u15 px
     logic        [14:0]          height; // u15 px
     logic        [1:0]           cull; // u2 none/back/front
-    logic        [1:0]           depth; // u2 less/lequal/off
+    logic        [3:0]           depth; // u4 function
+    logic        [0:0]           depth_write; // u1 off/on
+    logic        [0:0]           shade; // u1 smooth/flat
+    logic        [14:0]          clip_x0; // u15 px
+    logic        [14:0]          clip_y0; // u15 px
+    logic        [14:0]          clip_x1; // u15 px
+    logic        [14:0]          clip_y1; // u15 px
+    logic signed [24:0]          bias_constant; // s25 code
+    logic signed [15:0]          bias_slope; // sQ7.8 px
   } frame_t;
-  localparam int unsigned FRAME_BITS = 34;
+  localparam int unsigned FRAME_BITS = 139;
 
   typedef struct packed {
     logic        [ID_BITS-1:0]   id; // number of the triangle
@@ -86,11 +121,12 @@ package pineda_pkg;
     logic signed [43:0]          z_dx; // sQ25.18 code/px
     logic signed [43:0]          z_dy; // sQ25.18 code/px
     logic signed [43:0]          z_ref; // sQ25.18 code
+    logic signed [41:0]          z_bias; // sQ25.16 code
     logic        [111:0]         attr_dx; // sQ9.18 LSB/px, 4 of them, the first lowest
     logic        [111:0]         attr_dy; // sQ9.18 LSB/px, 4 of them, the first lowest
     logic        [111:0]         attr_ref; // sQ9.18 LSB, 4 of them, the first lowest
   } setup_prim_t;
-  localparam int unsigned SETUP_PRIM_BITS = ID_BITS + 785;
+  localparam int unsigned SETUP_PRIM_BITS = ID_BITS + 827;
 
   typedef struct packed {
     logic        [ID_BITS-1:0]   id; // number of the triangle
@@ -107,11 +143,12 @@ package pineda_pkg;
     logic signed [33:0]          z_dx; // sQ25.8 code/px
     logic signed [33:0]          z_dy; // sQ25.8 code/px
     logic signed [33:0]          z_ref; // sQ25.8 code
+    logic signed [41:0]          z_bias; // sQ25.16 code
     logic        [71:0]          attr_dx; // sQ9.8 LSB/px, 4 of them, the first lowest
     logic        [71:0]          attr_dy; // sQ9.8 LSB/px, 4 of them, the first lowest
     logic        [71:0]          attr_ref; // sQ9.8 LSB, 4 of them, the first lowest
   } tile_t;
-  localparam int unsigned TILE_BITS = ID_BITS + 583;
+  localparam int unsigned TILE_BITS = ID_BITS + 625;
 
   typedef struct packed {
     logic        [ID_BITS-1:0]   id; // number of the triangle
@@ -121,11 +158,12 @@ package pineda_pkg;
     logic signed [33:0]          z_dx; // sQ25.8 code/px
     logic signed [33:0]          z_dy; // sQ25.8 code/px
     logic signed [33:0]          z_ref; // sQ25.8 code
+    logic signed [41:0]          z_bias; // sQ25.16 code
     logic        [71:0]          attr_dx; // sQ9.8 LSB/px, 4 of them, the first lowest
     logic        [71:0]          attr_dy; // sQ9.8 LSB/px, 4 of them, the first lowest
     logic        [71:0]          attr_ref; // sQ9.8 LSB, 4 of them, the first lowest
   } stamp_t;
-  localparam int unsigned STAMP_BITS = ID_BITS + 348;
+  localparam int unsigned STAMP_BITS = ID_BITS + 390;
 
   typedef struct packed {
     logic        [ID_BITS-1:0]   id; // number of the triangle

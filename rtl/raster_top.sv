@@ -29,6 +29,7 @@ module raster_top (
   input  pineda_pkg::triangle_t     tri_i,
 
   // Depth and colour memories, addressed by stamp
+`ifdef PINEDA_DEPTH
   output logic                      depth_rd_valid_o,
   input  logic                      depth_rd_ready_i,
   output pineda_pkg::depth_read_t   depth_rd_o,
@@ -37,6 +38,7 @@ module raster_top (
   output logic                      depth_wr_valid_o,
   input  logic                      depth_wr_ready_i,
   output pineda_pkg::depth_write_t  depth_wr_o,
+`endif
   output logic                      color_wr_valid_o,
   input  logic                      color_wr_ready_i,
   output pineda_pkg::color_write_t  color_wr_o
@@ -94,8 +96,28 @@ module raster_top (
     .out_valid_o(queued_prim_valid), .out_ready_i(queued_prim_ready), .out_data_o(queued_prim)
   );
 
+`ifdef PINEDA_HIERARCHICAL_Z
+  // Where depths only become less, what lies behind all of them is hidden.
+  logic hides, depth_max_valid;
+  logic [pineda_pkg::TILE_INDEX_BITS-1:0] tile_x, tile_y;
+  logic [pineda_pkg::HIERARCHICAL_Z_BITS-1:0] z_max;
+  pineda_pkg::depth_max_t depth_max;
+  assign hides = frame_q.depth == pineda_pkg::DEPTH_LESS ||
+                 frame_q.depth == pineda_pkg::DEPTH_LEQUAL;
+  hierarchical_z u_hierarchical_z (
+    .clk_i, .rst_ni,
+    .clear_i(clear_valid_o),
+    .frame_width_i(frame_q.width), .frame_height_i(frame_q.height),
+    .tile_x_i(tile_x), .tile_y_i(tile_y), .z_max_o(z_max),
+    .update_valid_i(depth_max_valid), .update_i(depth_max)
+  );
+`endif
+
   traversal_unit u_traversal (
     .clk_i, .rst_ni,
+`ifdef PINEDA_HIERARCHICAL_Z
+    .hides_i(hides), .z_max_i(z_max), .tile_x_o(tile_x), .tile_y_o(tile_y),
+`endif
     .prim_valid_i(queued_prim_valid), .prim_ready_o(queued_prim_ready), .prim_i(queued_prim),
     .stamp_valid_o(stamp_valid), .stamp_ready_i(stamp_ready), .stamp_o(stamp),
     .idle_o(traversal_idle)
@@ -111,11 +133,17 @@ module raster_top (
 
   interp_ztest_unit u_interp_ztest (
     .clk_i, .rst_ni,
-    .depth_func_i(frame_q.depth),
     .stamp_valid_i(queued_stamp_valid), .stamp_ready_o(queued_stamp_ready),
     .stamp_i(queued_stamp),
+`ifdef PINEDA_DEPTH
+    .depth_func_i(frame_q.depth), .depth_write_i(frame_q.depth_write),
+`ifdef PINEDA_HIERARCHICAL_Z
+    .frame_width_i(frame_q.width), .frame_height_i(frame_q.height),
+    .depth_max_valid_o(depth_max_valid), .depth_max_o(depth_max),
+`endif
     .depth_rd_valid_o, .depth_rd_ready_i, .depth_rd_o, .depth_rsp_valid_i, .depth_rsp_i,
     .depth_wr_valid_o, .depth_wr_ready_i, .depth_wr_o,
+`endif
     .color_wr_valid_o, .color_wr_ready_i, .color_wr_o,
     .idle_o(interp_ztest_idle)
   );
@@ -125,7 +153,9 @@ module raster_top (
     if (rst_ni && frame_valid_i) begin
       assert (frame_i.width != '0 && frame_i.height != '0) else $error("a frame without samples");
       assert (frame_i.cull <= pineda_pkg::CULL_FRONT) else $error("unknown cull state");
-      assert (frame_i.depth <= pineda_pkg::DEPTH_OFF) else $error("unknown depth function");
+`ifdef PINEDA_DEPTH
+      assert (frame_i.depth <= pineda_pkg::DEPTH_ALWAYS) else $error("unknown depth function");
+`endif
     end
   end
 `endif

@@ -6,6 +6,7 @@
 //          spec::reciprocal_cycles() after it on; both until the next start_i.
 // Rate     one result every spec::reciprocal_cycles() enabled cycles.
 // Twin     model/core/reciprocal.cpp.
+`ifdef PINEDA_PLANES
 module reciprocal (
   input  logic                                      clk_i,
   input  logic                                      rst_ni,
@@ -21,19 +22,11 @@ module reciprocal (
   localparam int unsigned AREA_BITS = pineda_pkg::AREA2_BITS - 1;
   localparam int unsigned LENGTH_BITS = pineda_pkg::AREA2_LENGTH_BITS;
 
-  // 'x while nothing starts costs no gate and saves the simulator the work.
   logic [LENGTH_BITS-1:0] length;
-  always_comb begin
-    length = 'x;
-    if (start_i) begin
-      length = '0;
-      for (int unsigned i = 0; i < AREA_BITS; i++) begin
-        if (area2_i[i]) length = LENGTH_BITS'(i + 1);
-      end
-    end
-  end
   logic [AREA_BITS-1:0] aligned;
-  assign aligned = area2_i << (LENGTH_BITS'(AREA_BITS) - length);
+  reciprocal_align #(.Width(AREA_BITS), .LengthBits(LENGTH_BITS)) u_align (
+    .valid_i(start_i), .value_i(area2_i), .length_o(length), .aligned_o(aligned)
+  );
 
   logic [LENGTH_BITS-1:0] length_q;
   always_ff @(posedge clk_i) begin
@@ -55,3 +48,4 @@ module reciprocal (
   assign length_o = length_q;
   assign mantissa_o = rounded[K] ? '1 : rounded[K-1:0];
 endmodule
+`endif

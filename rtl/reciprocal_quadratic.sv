@@ -1,24 +1,25 @@
 // Scheme quadratic of the reciprocal: a ROM of parabolas, evaluated by squarer and two multipliers.
 //
 // Bits     quadratic() in model/core/reciprocal.cpp.
-// In       aligned_i: the area with its leading one at the top, in the cycle of start_i.
+// In       aligned_i: the number with its leading one at the top, in the cycle of start_i.
 // Out      x_o: 1/(2m) in UQ0.(k+1), truncated, from 4 cycles after start_i on.
 // Rate     a pipeline: one result an enabled cycle; x_o stays until the next one.
 // Twin     model/core/reciprocal.cpp.
 `ifdef PINEDA_RECIPROCAL_QUADRATIC
-module reciprocal_quadratic (
+module reciprocal_quadratic #(
+  parameter int unsigned Width = pineda_pkg::AREA2_BITS - 1
+) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
   input  logic                                  enable_i,
 
   input  logic                                  start_i,
-  input  logic [pineda_pkg::AREA2_BITS-2:0]     aligned_i,
+  input  logic [Width-1:0]                      aligned_i,
 
   output logic [pineda_pkg::RECIPROCAL_BITS:0]  x_o
 );
   localparam int unsigned K = pineda_pkg::RECIPROCAL_BITS;
   localparam int unsigned W = K + 2; // two guard bits while computing
-  localparam int unsigned AREA_BITS = pineda_pkg::AREA2_BITS - 1;
   localparam int unsigned LUT_BITS = pineda_pkg::RECIPROCAL_LUT_BITS;
   localparam int unsigned C0_BITS = pineda_pkg::RECIPROCAL_C0_BITS; // the leading 1 is implied
   localparam int unsigned C1_BITS = pineda_pkg::RECIPROCAL_C1_BITS;
@@ -27,10 +28,10 @@ module reciprocal_quadratic (
 
   // m in [1/2, 1), its leading one left out: what falls below W bits is cut off.
   logic [W-2:0] m;
-  if (AREA_BITS >= W) begin : g_cut
-    assign m = aligned_i[AREA_BITS-2 -: W-1];
+  if (Width >= W) begin : g_cut
+    assign m = aligned_i[Width-2 -: W-1];
   end else begin : g_whole
-    assign m = {aligned_i[AREA_BITS-2:0], {(W-AREA_BITS){1'b0}}};
+    assign m = {aligned_i[Width-2:0], {(W-Width){1'b0}}};
   end
 
   // Stages: m, coefficients and square, products, sum

@@ -26,15 +26,20 @@ module stamp_walker (
   localparam int unsigned WIDTH_LOG2 = pineda_pkg::STAMP_WIDTH_LOG2;
   localparam int unsigned HEIGHT_LOG2 = pineda_pkg::STAMP_HEIGHT_LOG2;
   localparam int unsigned LANES = pineda_pkg::LANES;
-  // Stamp column and row inside the tile
-  localparam int unsigned X_BITS = TILE_LOG2 - WIDTH_LOG2;
-  localparam int unsigned Y_BITS = TILE_LOG2 - HEIGHT_LOG2;
+  // Stamp column and row inside the tile, always 0 where a stamp is a tile wide or high
+  localparam int unsigned X_BITS = TILE_LOG2 > WIDTH_LOG2 ? TILE_LOG2 - WIDTH_LOG2 : 1;
+  localparam int unsigned Y_BITS = TILE_LOG2 > HEIGHT_LOG2 ? TILE_LOG2 - HEIGHT_LOG2 : 1;
+  localparam int unsigned STAMP_X_BITS = pineda_pkg::STAMP_X_BITS;
+  localparam int unsigned STAMP_Y_BITS = pineda_pkg::STAMP_Y_BITS;
 
   logic busy_q;
   pineda_pkg::tile_t tile_q; // its e are those of the stamp under test
   logic [X_BITS-1:0] x_q;
   logic [Y_BITS-1:0] y_q;
   logic [3*EDGE_BITS-1:0] row_e_q; // at the first stamp of the row
+`ifdef PINEDA_PERSPECTIVE
+  logic [3*EDGE_BITS-1:0] tile_e_q; // at the tile's first sample
+`endif
   logic stamp_valid_q;
   pineda_pkg::stamp_t stamp_q;
 
@@ -42,8 +47,8 @@ module stamp_walker (
   logic out_free, advance, row_end, last_stamp;
   assign out_free = !stamp_valid_q || stamp_ready_i;
   assign advance = busy_q && (mask == '0 || out_free);
-  assign row_end = x_q == tile_q.x1[TILE_LOG2-1:WIDTH_LOG2];
-  assign last_stamp = row_end && y_q == tile_q.y1[TILE_LOG2-1:HEIGHT_LOG2];
+  assign row_end = x_q == X_BITS'(tile_q.x1 >> WIDTH_LOG2);
+  assign last_stamp = row_end && y_q == Y_BITS'(tile_q.y1 >> HEIGHT_LOG2);
   assign tile_ready_o = !busy_q || (advance && last_stamp);
   assign stamp_valid_o = stamp_valid_q;
   assign stamp_o = stamp_q;
@@ -83,14 +88,17 @@ module stamp_walker (
 
   // Offset of the box's first stamp inside the tile
   logic signed [TILE_LOG2:0] start_x, start_y;
-  assign start_x = signed'({1'b0, tile_i.x0[TILE_LOG2-1:WIDTH_LOG2], {WIDTH_LOG2{1'b0}}});
-  assign start_y = signed'({1'b0, tile_i.y0[TILE_LOG2-1:HEIGHT_LOG2], {HEIGHT_LOG2{1'b0}}});
+  assign start_x = signed'({1'b0, (tile_i.x0 >> WIDTH_LOG2) << WIDTH_LOG2});
+  assign start_y = signed'({1'b0, (tile_i.y0 >> HEIGHT_LOG2) << HEIGHT_LOG2});
 
   always_ff @(posedge clk_i) begin
     if (tile_valid_i && tile_ready_o) begin
       tile_q <= tile_i;
-      x_q <= tile_i.x0[TILE_LOG2-1:WIDTH_LOG2];
-      y_q <= tile_i.y0[TILE_LOG2-1:HEIGHT_LOG2];
+`ifdef PINEDA_PERSPECTIVE
+      tile_e_q <= tile_i.e;
+`endif
+      x_q <= X_BITS'(tile_i.x0 >> WIDTH_LOG2);
+      y_q <= Y_BITS'(tile_i.y0 >> HEIGHT_LOG2);
       for (int unsigned i = 0; i < 3; i++) begin
         tile_q.e[i*EDGE_BITS +: EDGE_BITS] <=
             tile_i.e[i*EDGE_BITS +: EDGE_BITS] +
@@ -102,7 +110,7 @@ module stamp_walker (
             EDGE_BITS'(signed'(tile_i.b[i*COEFF_BITS +: COEFF_BITS])) * EDGE_BITS'(start_y);
       end
     end else if (advance) begin
-      x_q <= row_end ? tile_q.x0[TILE_LOG2-1:WIDTH_LOG2] : x_q + X_BITS'(1);
+      x_q <= row_end ? X_BITS'(tile_q.x0 >> WIDTH_LOG2) : x_q + X_BITS'(1);
       y_q <= row_end ? y_q + Y_BITS'(1) : y_q;
       for (int unsigned i = 0; i < 3; i++) begin
         if (!row_end) begin
@@ -124,15 +132,32 @@ module stamp_walker (
   always_ff @(posedge clk_i) begin
     if (busy_q && out_free && mask != '0) begin
       stamp_q.id <= tile_q.id;
-      stamp_q.x <= {tile_q.x, x_q};
-      stamp_q.y <= {tile_q.y, y_q};
+      stamp_q.x <= (STAMP_X_BITS'(tile_q.x) << (TILE_LOG2 - WIDTH_LOG2)) + STAMP_X_BITS'(x_q);
+      stamp_q.y <= (STAMP_Y_BITS'(tile_q.y) << (TILE_LOG2 - HEIGHT_LOG2)) + STAMP_Y_BITS'(y_q);
       stamp_q.mask <= mask;
+`ifdef PINEDA_DEPTH
       stamp_q.z_dx <= tile_q.z_dx;
       stamp_q.z_dy <= tile_q.z_dy;
       stamp_q.z_ref <= tile_q.z_ref;
+      stamp_q.z_bias <= tile_q.z_bias;
+`endif
+`ifdef PINEDA_AFFINE
       stamp_q.attr_dx <= tile_q.attr_dx;
       stamp_q.attr_dy <= tile_q.attr_dy;
       stamp_q.attr_ref <= tile_q.attr_ref;
+`endif
+`ifdef PINEDA_PERSPECTIVE
+      stamp_q.a <= tile_q.a;
+      stamp_q.b <= tile_q.b;
+      stamp_q.e <= tile_e_q;
+      stamp_q.e_low <= tile_q.e_low;
+      stamp_q.inverse_w <= tile_q.inverse_w;
+      stamp_q.inverse_w_shift <= tile_q.inverse_w_shift;
+      stamp_q.vertex_attr <= tile_q.vertex_attr;
+`endif
+`ifdef PINEDA_FLAT_ATTRIBUTES
+      stamp_q.flat <= tile_q.flat;
+`endif
     end
   end
 endmodule

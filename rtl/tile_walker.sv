@@ -2,8 +2,12 @@
 //
 // Bits     core::TileWalk defines them. Reject: one edge is negative at that edge's best corner
 //          sample of the tile. Accept, an edge at a time: it is >= 0 at its worst corner sample.
-// In       prim_i.
-// Out      tile_o: a tile that no edge rejects, its planes referred to its first sample.
+//          Hidden: core::depth_floor() of the triangle there lies behind z_max_i, as it is in the
+//          first cycle of the tile's test.
+// In       prim_i. hides_i: the frame's depth function lets tiles be hidden; z_max_i: the greatest
+//          depth stored in tile tile_x_o, tile_y_o, the top bits.
+// Out      tile_o: a tile that no edge rejects and that is not hidden, its edges and planes referred
+//          to its first sample.
 // Rate     one tile test a cycle, from one triangle to the next without a bubble, as long as kept
 //          tiles are taken.
 // Twin     model/core/traversal.cpp.
@@ -14,6 +18,13 @@ module tile_walker (
   input  logic                     prim_valid_i,
   output logic                     prim_ready_o,
   input  pineda_pkg::setup_prim_t  prim_i,
+
+`ifdef PINEDA_HIERARCHICAL_Z
+  input  logic                                        hides_i,
+  input  logic [pineda_pkg::HIERARCHICAL_Z_BITS-1:0]  z_max_i,
+  output logic [pineda_pkg::TILE_INDEX_BITS-1:0]      tile_x_o,
+  output logic [pineda_pkg::TILE_INDEX_BITS-1:0]      tile_y_o,
+`endif
 
   output logic                     tile_valid_o,
   input  logic                     tile_ready_i,
@@ -27,33 +38,44 @@ module tile_walker (
   localparam int unsigned TILE_LOG2 = pineda_pkg::TILE_LOG2;
   localparam int unsigned INDEX_BITS = pineda_pkg::TILE_INDEX_BITS;
   localparam int unsigned PIXEL_BITS = pineda_pkg::PIXEL_BITS;
+`ifdef PINEDA_DEPTH
   localparam int unsigned Z_BITS = pineda_pkg::DEPTH_PLANE_BITS;
+  localparam int unsigned TILE_Z_BITS = pineda_pkg::DEPTH_TILE_PLANE_BITS;
+`endif
+`ifdef PINEDA_AFFINE
   localparam int unsigned ATTRIBUTES = pineda_pkg::ATTRIBUTES;
   localparam int unsigned ATTR_BITS = pineda_pkg::ATTR_PLANE_BITS;
   localparam int unsigned TILE_ATTR_BITS = pineda_pkg::ATTR_TILE_PLANE_BITS;
-  localparam int unsigned TILE_Z_BITS = pineda_pkg::DEPTH_TILE_PLANE_BITS;
+`endif
+`ifdef PINEDA_PLANES
   localparam int unsigned NARROWING =
       pineda_pkg::GRADIENT_FRACTION_BITS - pineda_pkg::TILE_FRACTION_BITS;
   // Planes inside a tile carry fewer fraction bits. Rounding, halves up, adds the last bit cut off.
   localparam int unsigned LAST_CUT = NARROWING > 0 ? NARROWING - 1 : 0;
+`endif
 
   logic busy_q;
   pineda_pkg::setup_prim_t prim_q; // its e and refs are those of the tile under test
   logic [INDEX_BITS-1:0] x_q, y_q;
   logic [3*EDGE_BITS-1:0] row_e_q; // at the first tile of the row
+`ifdef PINEDA_DEPTH
   logic [Z_BITS-1:0] row_z_q;
+`endif
+`ifdef PINEDA_AFFINE
   logic [ATTRIBUTES*ATTR_BITS-1:0] row_attr_q;
+`endif
 
   logic [INDEX_BITS-1:0] first_x, last_x, last_y;
   assign first_x = prim_q.x0[PIXEL_BITS-1:TILE_LOG2];
   assign last_x = prim_q.x1[PIXEL_BITS-1:TILE_LOG2];
   assign last_y = prim_q.y1[PIXEL_BITS-1:TILE_LOG2];
 
-  logic row_end, last_tile, rejected, advance;
+  logic row_end, last_tile, rejected, hidden, dropped, advance;
   assign row_end = x_q == last_x;
   assign last_tile = row_end && y_q == last_y;
-  assign advance = busy_q && (rejected || tile_ready_i);
-  assign tile_valid_o = busy_q && !rejected;
+  assign dropped = rejected || hidden;
+  assign advance = busy_q && (dropped || tile_ready_i);
+  assign tile_valid_o = busy_q && !dropped;
   assign busy_o = busy_q;
   assign prim_ready_o = !busy_q || (advance && last_tile);
 
@@ -76,16 +98,44 @@ module tile_walker (
   end
   assign rejected = rejects != '0;
 
-  // ---- The tile. Its payload is nobody's business while it is not valid, so nothing is spent on it
-  // then: 'x costs no gate and saves the simulator the work.
+`ifdef PINEDA_DEPTH
   function automatic logic [TILE_Z_BITS-1:0] narrow_z(input logic [Z_BITS-1:0] value);
     narrow_z = value[Z_BITS-1:NARROWING];
     if (NARROWING > 0) narrow_z = narrow_z + TILE_Z_BITS'(value[LAST_CUT]);
   endfunction
+`endif
+
+`ifdef PINEDA_HIERARCHICAL_Z
+  // The least code of the tile: the plane at the corner where it is least. A steep plane may have
+  // wrapped, so nothing is known of it.
+  logic fresh_q; // the tile's first cycle
+  logic signed [TILE_Z_BITS-1:0] least_dx, least_dy, least;
+  logic [pineda_pkg::HIERARCHICAL_Z_BITS-1:0] floor;
+  logic [pineda_pkg::DEPTH_BITS-pineda_pkg::HIERARCHICAL_Z_BITS-1:0] unused_bits;
+  assign tile_x_o = x_q;
+  assign tile_y_o = y_q;
+  assign least_dx = signed'(narrow_z(prim_q.z_dx));
+  assign least_dy = signed'(narrow_z(prim_q.z_dy));
+  assign least = signed'(narrow_z(prim_q.z_ref)) +
+                 (least_dx < 0 ? (least_dx <<< TILE_LOG2) - least_dx : '0) +
+                 (least_dy < 0 ? (least_dy <<< TILE_LOG2) - least_dy : '0);
+  depth_code u_floor (
+    .value_i(least), .bias_i(prim_q.z_bias), .code_o({floor, unused_bits})
+  );
+  assign hidden = busy_q && fresh_q && hides_i && !prim_q.z_steep && !rejected && floor > z_max_i;
+  always_ff @(posedge clk_i) fresh_q <= (prim_valid_i && prim_ready_o) || advance;
+`else
+  assign hidden = 1'b0;
+`endif
+
+  // ---- The tile. Its payload is nobody's business while it is not valid, so nothing is spent on it
+  // then: 'x costs no gate and saves the simulator the work.
+`ifdef PINEDA_AFFINE
   function automatic logic [TILE_ATTR_BITS-1:0] narrow_attr(input logic [ATTR_BITS-1:0] value);
     narrow_attr = value[ATTR_BITS-1:NARROWING];
     if (NARROWING > 0) narrow_attr = narrow_attr + TILE_ATTR_BITS'(value[LAST_CUT]);
   endfunction
+`endif
 
   always_comb begin
     tile_o = 'x;
@@ -104,9 +154,13 @@ module tile_walker (
         tile_o.e[i*TILE_EDGE_BITS +: TILE_EDGE_BITS] =
             prim_q.e[i*EDGE_BITS +: TILE_EDGE_BITS];
       end
+`ifdef PINEDA_DEPTH
       tile_o.z_dx = narrow_z(prim_q.z_dx);
       tile_o.z_dy = narrow_z(prim_q.z_dy);
       tile_o.z_ref = narrow_z(prim_q.z_ref);
+      tile_o.z_bias = prim_q.z_bias;
+`endif
+`ifdef PINEDA_AFFINE
       for (int unsigned i = 0; i < ATTRIBUTES; i++) begin
         tile_o.attr_dx[i*TILE_ATTR_BITS +: TILE_ATTR_BITS] =
             narrow_attr(prim_q.attr_dx[i*ATTR_BITS +: ATTR_BITS]);
@@ -115,6 +169,16 @@ module tile_walker (
         tile_o.attr_ref[i*TILE_ATTR_BITS +: TILE_ATTR_BITS] =
             narrow_attr(prim_q.attr_ref[i*ATTR_BITS +: ATTR_BITS]);
       end
+`endif
+`ifdef PINEDA_PERSPECTIVE
+      tile_o.e_low = prim_q.e_low;
+      tile_o.inverse_w = prim_q.inverse_w;
+      tile_o.inverse_w_shift = prim_q.inverse_w_shift;
+      tile_o.vertex_attr = prim_q.vertex_attr;
+`endif
+`ifdef PINEDA_FLAT_ATTRIBUTES
+      tile_o.flat = prim_q.flat;
+`endif
     end
   end
 
@@ -130,17 +194,18 @@ module tile_walker (
       x_q <= prim_i.x0[PIXEL_BITS-1:TILE_LOG2];
       y_q <= prim_i.y0[PIXEL_BITS-1:TILE_LOG2];
       row_e_q <= prim_i.e;
+`ifdef PINEDA_DEPTH
       row_z_q <= prim_i.z_ref;
+`endif
+`ifdef PINEDA_AFFINE
       row_attr_q <= prim_i.attr_ref;
+`endif
     end else if (advance) begin
       if (!row_end) begin
         x_q <= x_q + INDEX_BITS'(1);
-        prim_q.z_ref <= prim_q.z_ref + (prim_q.z_dx <<< TILE_LOG2);
       end else begin
         x_q <= first_x;
         y_q <= y_q + INDEX_BITS'(1);
-        prim_q.z_ref <= row_z_q + (prim_q.z_dy <<< TILE_LOG2);
-        row_z_q <= row_z_q + (prim_q.z_dy <<< TILE_LOG2);
       end
       for (int unsigned i = 0; i < 3; i++) begin
         if (!row_end) begin
@@ -156,6 +221,15 @@ module tile_walker (
               (EDGE_BITS'(signed'(prim_q.b[i*COEFF_BITS +: COEFF_BITS])) << TILE_LOG2);
         end
       end
+`ifdef PINEDA_DEPTH
+      if (!row_end) begin
+        prim_q.z_ref <= prim_q.z_ref + (prim_q.z_dx <<< TILE_LOG2);
+      end else begin
+        prim_q.z_ref <= row_z_q + (prim_q.z_dy <<< TILE_LOG2);
+        row_z_q <= row_z_q + (prim_q.z_dy <<< TILE_LOG2);
+      end
+`endif
+`ifdef PINEDA_AFFINE
       for (int unsigned i = 0; i < ATTRIBUTES; i++) begin
         if (!row_end) begin
           prim_q.attr_ref[i*ATTR_BITS +: ATTR_BITS] <=
@@ -170,6 +244,7 @@ module tile_walker (
               (prim_q.attr_dy[i*ATTR_BITS +: ATTR_BITS] << TILE_LOG2);
         end
       end
+`endif
     end
   end
 endmodule

@@ -5,7 +5,7 @@
 // Out      stamp_o: coverage mask and planes of one stamp; never empty.
 // Rate     one tile test a cycle and one stamp test a cycle, side by side; no bubble inside an
 //          accepted tile. Latency 4 cycles from a triangle to its first stamp.
-// Drops    tiles that an edge rejects, stamps without a covered sample.
+// Drops    tiles that an edge rejects or that are hidden, stamps without a covered sample.
 // Errors   none.
 // Twin     model/core/traversal.cpp. Source: Pineda, SIGGRAPH 1988.
 module traversal_unit (
@@ -16,6 +16,15 @@ module traversal_unit (
   input  logic                     prim_valid_i,
   output logic                     prim_ready_o,
   input  pineda_pkg::setup_prim_t  prim_i,
+
+`ifdef PINEDA_HIERARCHICAL_Z
+  // The greatest depth stored in a tile, from hierarchical_z, in the same cycle; hides_i: the frame's
+  // depth function lets tiles be hidden
+  input  logic                                        hides_i,
+  input  logic [pineda_pkg::HIERARCHICAL_Z_BITS-1:0]  z_max_i,
+  output logic [pineda_pkg::TILE_INDEX_BITS-1:0]      tile_x_o,
+  output logic [pineda_pkg::TILE_INDEX_BITS-1:0]      tile_y_o,
+`endif
 
   // Stamps, to interp_ztest_unit; stable while stamp_valid_o && !stamp_ready_i
   output logic                     stamp_valid_o,
@@ -30,6 +39,9 @@ module traversal_unit (
   tile_walker u_tiles (
     .clk_i, .rst_ni,
     .prim_valid_i, .prim_ready_o, .prim_i,
+`ifdef PINEDA_HIERARCHICAL_Z
+    .hides_i, .z_max_i, .tile_x_o, .tile_y_o,
+`endif
     .tile_valid_o(walked_valid), .tile_ready_i(walked_ready), .tile_o(walked),
     .busy_o(tiles_busy)
   );

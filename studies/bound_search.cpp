@@ -11,16 +11,28 @@
 namespace pineda::studies {
 namespace {
 
-constexpr int64_t kPx = 256;
-constexpr int kGuardLow = -(256 << 14);
-constexpr int kGuardHigh = -kGuardLow - 1;
-constexpr int64_t kMaxDepthInput = ((int64_t{1} << 24) - 1) << 8;
-constexpr spec::FrameState kHugeFrame{16384, 16384, spec::Cull::kNone, spec::DepthFunc::kLess};
+/// What a design's triangles lie in.
+struct Range {
+  explicit Range(const spec::Contract& c)
+      : px(1 << c.design.subpixel_bits),
+        high((1 << (c.width.coord - 1)) - 1),
+        low(-high - 1),
+        depth(((int64_t{1} << c.design.depth_bits) - 1) << spec::kDepthInputFractionBits),
+        frame_px(1 << c.design.guard_bits) {}
+  int px;    // subpixels
+  int high;  // of a coordinate
+  int low;
+  int64_t depth;  // the greatest
+  int frame_px;
+
+  spec::FrameState frame() const { return {frame_px, frame_px}; }
+};
 
 exact::Judge judge_of(const spec::Contract& c, const spec::Triangle& t) {
   exact::Triangle v;
   for (size_t i = 0; i < 3; ++i) v[i] = {t.v[i].x, t.v[i].y, t.v[i].z, {t.v[i].attr[0]}};
-  return {v, c.design.subpixel_bits, kHugeFrame.width, kHugeFrame.height, exact::Cull::kNone};
+  const int frame_px = Range(c).frame_px;
+  return {v, c.design.subpixel_bits, frame_px, frame_px, exact::Cull::kNone};
 }
 
 // The planes at the first sample of a pixel's tile, as traversal hands them on, without walking
@@ -28,7 +40,7 @@ exact::Judge judge_of(const spec::Contract& c, const spec::Triangle& t) {
 std::optional<spec::PlaneSet> planes_at(const spec::Contract& c, const spec::Triangle& t, int x,
                                         int y) {
   spec::SetupPrim prim;
-  if (core::setup(c, kHugeFrame, t, &prim) != core::Drop::kNone) return std::nullopt;
+  if (core::setup(c, Range(c).frame(), t, &prim) != core::Drop::kNone) return std::nullopt;
   const int log2 = c.design.tile_log2;
   if (!core::clip_rows(c, y >> log2, y >> log2, &prim)) return std::nullopt;
   const int64_t columns = int64_t{(x >> log2) - (prim.x0 >> log2)} << log2;
@@ -46,23 +58,24 @@ std::optional<spec::PlaneSet> planes_at(const spec::Contract& c, const spec::Tri
   return tile.planes;
 }
 
-WorstCase start(Random& random) {
+WorstCase start(Random& random, const Range& r) {
+  const int reach = r.frame_px / 80 * r.px;
   const auto near = [&](int corner) {
-    return std::clamp(corner + random.coordinate(-200 * kPx, 200 * kPx), kGuardLow, kGuardHigh);
+    return std::clamp(corner + random.coordinate(-reach, reach), r.low, r.high);
   };
-  const Point first{near(kGuardLow), near(kGuardLow)};
-  const Point far{near(kGuardHigh), near(kGuardHigh)};
-  const Point third{near(random.in(0, 1) != 0 ? 0 : kGuardHigh), near(kGuardHigh)};
+  const Point first{near(r.low), near(r.low)};
+  const Point far{near(r.high), near(r.high)};
+  const Point third{near(random.in(0, 1) != 0 ? 0 : r.high), near(r.high)};
   WorstCase at;
   at.triangle = triangle(first, far, third);
   // The last sample of a tile.
-  at.x = 16383 - 8 * random.coordinate(0, 6);
-  at.y = 16383 - 8 * random.coordinate(0, 6);
+  at.x = r.frame_px - 1 - 8 * random.coordinate(0, 6);
+  at.y = r.frame_px - 1 - 8 * random.coordinate(0, 6);
   // From one end of the range at the anchor to the other: the reciprocal's error counts in full.
   const bool up = random.in(0, 1) != 0;
   for (size_t i = 0; i < 3; ++i) {
     const bool top = (i != 0) == up;
-    at.triangle.v[i].z = top ? kMaxDepthInput : 0;
+    at.triangle.v[i].z = top ? r.depth : 0;
     at.triangle.v[i].attr[0] = top ? 255 : 0;
   }
   return at;
@@ -73,18 +86,18 @@ int64_t nudged(Random& random, int64_t value, int most_log2, int64_t low, int64_
   return std::clamp(value + random.in(-reach, reach), low, high);
 }
 
-WorstCase changed(Random& random, WorstCase at, Value value) {
+WorstCase changed(Random& random, const Range& r, WorstCase at, Value value) {
   auto& v = at.triangle.v[static_cast<size_t>(random.in(0, 2))];
   switch (random.in(0, 2)) {
     case 0:
-      v.x = static_cast<int32_t>(nudged(random, v.x, 14, kGuardLow, kGuardHigh));
+      v.x = static_cast<int32_t>(nudged(random, v.x, 14, r.low, r.high));
       break;
     case 1:
-      v.y = static_cast<int32_t>(nudged(random, v.y, 14, kGuardLow, kGuardHigh));
+      v.y = static_cast<int32_t>(nudged(random, v.y, 14, r.low, r.high));
       break;
     default:
       if (value == Value::kDepth) {
-        v.z = nudged(random, v.z, 31, 0, kMaxDepthInput);
+        v.z = nudged(random, v.z, 31, 0, r.depth);
       } else {
         v.attr[0] = static_cast<int32_t>(nudged(random, v.attr[0], 7, 0, 255));
       }
@@ -115,12 +128,13 @@ double error_before_rounding(const spec::Contract& c, Value value, const spec::T
 WorstCase search_worst(const spec::Contract& contract, Value value, int starts, int steps,
                        uint64_t seed) {
   Random random(seed);
+  const Range range(contract);
   WorstCase best;
   for (int s = 0; s < starts; ++s) {
-    WorstCase at = start(random);
+    WorstCase at = start(random, range);
     at.error = error_before_rounding(contract, value, at.triangle, at.x, at.y);
     for (int n = 0; n < steps; ++n) {
-      WorstCase next = changed(random, at, value);
+      WorstCase next = changed(random, range, at, value);
       next.error = error_before_rounding(contract, value, next.triangle, next.x, next.y);
       if (next.error > at.error) at = next;
     }

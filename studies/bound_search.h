@@ -24,10 +24,9 @@ double error_before_rounding(const spec::Contract& contract, Value value,
                              const spec::Triangle& triangle, int x, int y);
 
 /// Hill climbing from `starts` triangles as large as the guard band, whose sample lies in the
-/// corner opposite to the anchor: there each term of the bound is largest. 8 subpixel bits, u8 or
-/// z24.
+/// corner opposite to the anchor: there each term of the bound is largest. u8.
 ///
-/// In       a design with a reciprocal.
+/// In       a design with planes of depth, or of attributes.
 WorstCase search_worst(const spec::Contract& contract, Value value, int starts, int steps,
                        uint64_t seed);
 

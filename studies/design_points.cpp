@@ -27,7 +27,7 @@ exact::ScreenTriangle as_floats(const spec::Triangle& t, const spec::Design& d) 
 
 void add(const DesignScorer& scorer, const char* shape, DesignPoint* to) {
   const Subject& s = scorer.subject();
-  to->samples += s.depth.count() + s.missing;
+  to->samples += s.judged + s.missing;
   to->wrong_samples += s.missing + s.extra;
   to->max_depth_ulp = std::max(to->max_depth_ulp, s.depth.max());
   to->max_color_lsb = std::max(to->max_color_lsb, s.color.max());
@@ -123,7 +123,10 @@ std::vector<DesignPoint> study_design_points(const DesignPointOptions& options) 
       const auto screen = as_floats(t, options.designs.front());
       const exact::ScreenJudge judge(screen, format_of(options.designs.front()),
                                      exact_frame(frame));
-      for (size_t i = 0; i < 3; ++i) t.v[i].z = judge.snapped().vertices()[i].z;
+      for (size_t i = 0; i < 3; ++i) {
+        t.v[i].z = judge.snapped().vertices()[i].z;
+        t.v[i].inverse_w = 1 << (options.designs.front().inverse_w_bits - 1);  // w = 1
+      }
       truth.judge(judge);
       for (const auto& scorer : scorers) scorer->score(t, truth);
       if (options.progress) options.progress(shape_name(shape), static_cast<uint64_t>(n));

@@ -29,8 +29,8 @@ struct DesignPoint {
 };
 
 struct DesignPointOptions {
-  std::vector<spec::Design> designs;
-  int triangles = 2000;  // of each class
+  std::vector<spec::Design> designs;  // of the same formats at their input
+  int triangles = 2000;               // of each class
   uint64_t seed = 1;
   std::function<void(const char* what, uint64_t done)> progress;
 };

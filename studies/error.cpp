@@ -69,12 +69,21 @@ struct FrameSink final : baseline::Sink {
   bool test;
 };
 
+/// What a baseline interpolates of a design's input.
+spec::Design all_affine(spec::Design design) {
+  design.attributes = spec::channels(design);
+  design.flat_attributes = 0;
+  design.perspective = false;
+  design.depth_test = true;
+  return design;
+}
+
 class BaselineContestant final : public Contestant {
  public:
   BaselineContestant(const baseline::Baseline& row, const spec::Design& design,
                      const spec::FrameState& frame, bool map)
       : rasterizer_(row.make(spec::contract(design), frame)),
-        scorer_(&subject_, frame, design.attributes, map),
+        scorer_(&subject_, frame, all_affine(design), map),
         design_(design),
         frame_(frame) {
     subject_.name = row.name;
@@ -200,8 +209,8 @@ bool ErrorStudy::holds() const {
 
 bool same_formats(const spec::Design& a, const spec::Design& b) {
   return a.subpixel_bits == b.subpixel_bits && a.guard_bits == b.guard_bits &&
-         a.depth_bits == b.depth_bits && a.attributes == b.attributes &&
-         a.attribute_bits == b.attribute_bits;
+         a.depth_bits == b.depth_bits && spec::channels(a) == spec::channels(b) &&
+         a.attribute_bits == b.attribute_bits && a.inverse_w_bits == b.inverse_w_bits;
 }
 
 int64_t count_samples(const std::vector<SceneTriangle>& triangles, const spec::FrameState& frame,
@@ -217,7 +226,7 @@ int64_t count_samples(const std::vector<SceneTriangle>& triangles, const spec::F
 
 ErrorStudy study_errors(const std::vector<SceneTriangle>& triangles, const spec::FrameState& frame,
                         const ErrorOptions& options) {
-  const spec::Design& first = options.designs.at(0);
+  const spec::Design first = all_affine(options.designs.at(0));
   Contestants all = contestants(frame, options);
   ErrorStudy study;
   study.width = frame.width;

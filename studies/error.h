@@ -35,16 +35,18 @@ struct ErrorMap {
 };
 
 /// One design or baseline. Values are judged at samples that it rightly covers, hidden ones
-/// included; colour as affine interpolation of the snapped vertices.
+/// included; colour as affine interpolation of the snapped vertices, of a design with perspective
+/// as corrected by it, and a flat attribute as the first vertex's.
 struct Subject {
   std::string name;
   std::string summary;
   bool is_design = false;
   bool judged_by_frame = false;  // painter: the visible samples of its finished frame only
 
+  uint64_t judged = 0;                      // samples that both cover
   uint64_t missing = 0;                     // exact covers, it does not
   uint64_t extra = 0;                       // it covers, exact does not; a second time counts too
-  Distribution depth;                       // ulp
+  Distribution depth;                       // ulp; nothing without depth
   Distribution color;                       // LSB, four values a sample
   std::optional<spec::ErrorBounds> bounds;  // what a design promises
   ErrorMap map;                             // empty unless asked for

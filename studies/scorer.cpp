@@ -22,21 +22,27 @@ struct FragmentSink {
     for (uint32_t mask = stamp.mask; mask != 0; mask &= mask - 1) {
       const int lane = __builtin_ctz(mask);
       const auto l = static_cast<size_t>(lane);
-      const auto& attr = fragment.attr[l];
+      std::array<int, 4> rgba{};
+      for (size_t i = 0; i < rgba.size(); ++i) {
+        const auto n = static_cast<size_t>(design.attributes);
+        rgba[i] = i < n ? fragment.attr[l][i] : stamp.planes.flat[i - n];
+      }
       to->sample({stamp.x * width + lane % width,
-                  (stamp.y << design.stamp_height_log2) + lane / width,
-                  fragment.z[l],
-                  {attr[0], attr[1], attr[2], attr[3]}});
+                  (stamp.y << design.stamp_height_log2) + lane / width, fragment.z[l], rgba});
     }
   }
 };
 
 }  // namespace
 
-Scorer::Scorer(Subject* subject, const spec::FrameState& frame, int attributes, bool with_map)
+Scorer::Scorer(Subject* subject, const spec::FrameState& frame, const spec::Design& design,
+               bool with_map)
     : subject_(subject),
       width_(frame.width),
-      attributes_(static_cast<size_t>(std::min(attributes, 4))) {
+      depth_(design.depth_test),
+      perspective_(design.perspective),
+      attributes_(static_cast<size_t>(std::min(design.attributes, 4))),
+      channels_(static_cast<size_t>(std::min(spec::channels(design), 4))) {
   if (!with_map) return;
   const size_t pixels = static_cast<size_t>(frame.width) * static_cast<size_t>(frame.height);
   subject->map.depth_ulp.assign(pixels, -1.0f);
@@ -60,9 +66,15 @@ void Scorer::sample(const baseline::Sample& sample) {
   const exact::Sample& truth = truth_->samples()[static_cast<size_t>(index)];
   std::array<double, 4> error{};
   std::array<bool, 4> misrounded{};
-  for (size_t i = 0; i < attributes_; ++i) {
-    error[i] = truth.affine[i].error_of(sample.rgba[i]);
-    misrounded[i] = sample.rgba[i] != truth.affine[i].nearest;
+  for (size_t i = 0; i < channels_; ++i) {
+    if (i >= attributes_) {
+      error[i] = sample.rgba[i] - truth_->flat()[i];
+      misrounded[i] = error[i] != 0;
+      continue;
+    }
+    const exact::Value& value = truth_->attribute(truth, i, perspective_);
+    error[i] = value.error_of(sample.rgba[i]);
+    misrounded[i] = sample.rgba[i] != value.nearest;
   }
   values(pixel(sample.x, sample.y), truth.z.error_of(sample.z), sample.z != truth.z.nearest, error,
          misrounded);
@@ -86,7 +98,7 @@ void Scorer::frame(const VisibleFrame& truth, const VisibleFrame& got) {
     if (!truth.drawn(p) || !got.drawn(p)) continue;
     std::array<double, 4> error{};
     std::array<bool, 4> misrounded{};
-    for (size_t i = 0; i < attributes_; ++i) {
+    for (size_t i = 0; i < channels_; ++i) {
       error[i] = got.rgba(p)[i] - truth.rgba(p)[i];
       misrounded[i] = error[i] != 0;
     }
@@ -98,15 +110,18 @@ void Scorer::frame(const VisibleFrame& truth, const VisibleFrame& got) {
 void Scorer::values(size_t pixel, double depth_error, bool depth_misrounded,
                     const std::array<double, 4>& color_error,
                     const std::array<bool, 4>& misrounded) {
-  subject_->depth.add(depth_error, depth_misrounded);
+  ++subject_->judged;
+  if (depth_) subject_->depth.add(depth_error, depth_misrounded);
   float worst = 0;
-  for (size_t i = 0; i < attributes_; ++i) {
+  for (size_t i = 0; i < channels_; ++i) {
     subject_->color.add(color_error[i], misrounded[i]);
     worst = std::max(worst, static_cast<float>(std::abs(color_error[i])));
   }
   ErrorMap& map = subject_->map;
   if (map.coverage.empty()) return;
-  map.depth_ulp[pixel] = std::max(map.depth_ulp[pixel], static_cast<float>(std::abs(depth_error)));
+  if (depth_)
+    map.depth_ulp[pixel] =
+        std::max(map.depth_ulp[pixel], static_cast<float>(std::abs(depth_error)));
   map.color_lsb[pixel] = std::max(map.color_lsb[pixel], worst);
 }
 
@@ -117,7 +132,7 @@ void Scorer::wrong(size_t pixel, uint8_t kind) {
 DesignScorer::DesignScorer(const spec::Design& design, const spec::FrameState& frame, bool with_map)
     : contract_(spec::contract(design)),
       frame_(frame),
-      scorer_(&subject_, frame, design.attributes, with_map) {
+      scorer_(&subject_, frame, design, with_map) {
   subject_.name = design.name;
   subject_.summary = design.summary;
   subject_.is_design = true;
@@ -125,6 +140,12 @@ DesignScorer::DesignScorer(const spec::Design& design, const spec::FrameState& f
 }
 
 void DesignScorer::score(const spec::Triangle& triangle, const Truth& truth) {
+  // The bound of the triangle that a depth bias makes least certain.
+  const double slope = std::ldexp(frame_.bias_slope, -spec::kBiasFactorFractionBits);
+  const spec::Design& d = contract_.design;
+  subject_.bounds->depth_ulp = std::max(
+      subject_.bounds->depth_ulp, spec::error_bounds(d).depth_ulp +
+                                      spec::depth_bias_error_bound(d, slope, truth.depth_slope()));
   scorer_.begin(truth);
   core::FrameCounters counters;
   core::draw_triangle(contract_, frame_, {}, triangle, &counters,

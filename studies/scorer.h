@@ -10,7 +10,9 @@ namespace pineda::studies {
 /// What a subject makes of each triangle goes in between begin() and end().
 class Scorer final : public baseline::Sink {
  public:
-  Scorer(Subject* subject, const spec::FrameState& frame, int attributes, bool with_map);
+  /// `design` says which values there are, and how they are interpolated.
+  Scorer(Subject* subject, const spec::FrameState& frame, const spec::Design& design,
+         bool with_map);
 
   void begin(const Truth& truth);
   /// The subject covers this sample with these values.
@@ -31,7 +33,10 @@ class Scorer final : public baseline::Sink {
 
   Subject* subject_;
   int width_;
-  size_t attributes_;
+  bool depth_;
+  bool perspective_;
+  size_t attributes_;  // interpolated, of those that a sample has
+  size_t channels_;
   const Truth* truth_ = nullptr;
   std::vector<uint8_t> seen_;  // by index of the truth's sample
 };

@@ -37,7 +37,7 @@ void FrameBench::reset() {
 
 FrameResult FrameBench::run(const spec::FrameState& frame, const NextTriangle& next,
                             Listener* listener) {
-  memory_.start(frame);
+  memory_.start(core::FrameBuffer(unit_.contract(), frame));
   frames_.offer(frame);
   Progress progress;
   progress.start = progress.last_event = unit_.cycle();
@@ -48,7 +48,7 @@ FrameResult FrameBench::run(const spec::FrameState& frame, const NextTriangle& n
 
 void FrameBench::run_into_reset(const spec::FrameState& frame, const NextTriangle& next,
                                 uint64_t cycles) {
-  memory_.start(frame);
+  memory_.start(core::FrameBuffer(unit_.contract(), frame));
   frames_.offer(frame);
   Progress progress;
   progress.start = progress.last_event = unit_.cycle();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/core/frame.h"
@@ -25,8 +26,7 @@ class Listener {
 class StampWords {
  public:
   template <class T>
-  StampWords(const spec::Contract& c, const PayloadPort<T>& port, const char* lanes)
-      : words_(port.words()), lanes_(lanes == nullptr ? 0 : port.packer().position(lanes)) {
+  StampWords(const spec::Contract& c, const PayloadPort<T>& port) : words_(port.words()) {
     x_ = {port.packer().position("x"), c.width.stamp_x};
     y_ = {port.packer().position("y"), c.width.stamp_y};
     mask_ = {port.packer().position("mask"), c.width.lanes};
@@ -35,9 +35,9 @@ class StampWords {
   int x() const { return static_cast<int>(x_.get(words_)); }
   int y() const { return static_cast<int>(y_.get(words_)); }
   uint32_t mask() const { return static_cast<uint32_t>(mask_.get(words_)); }
-  /// Element `i`, of `bits` bits, of the lanes' field.
-  uint64_t element(size_t i, int bits) const {
-    return spec::get_bits(words_, lanes_ + static_cast<int>(i) * bits, bits);
+  /// Element `i`, of `bits` bits, of the field that lies at `position`.
+  uint64_t element(int position, size_t i, int bits) const {
+    return spec::get_bits(words_, position + static_cast<int>(i) * bits, bits);
   }
 
  private:
@@ -47,17 +47,17 @@ class StampWords {
     uint64_t get(const uint32_t* words) const { return spec::get_bits(words, position, bits); }
   };
   const uint32_t* words_;
-  int lanes_;
   Place x_, y_, mask_;
 };
 
 /// Serves the memory ports of a unit, cycle by cycle. A read accepted in cycle t is answered in
-/// t + latency and sees the writes accepted before t; nothing outside the frame exists.
+/// t + latency and sees the writes accepted before t; nothing outside the frame exists. A design
+/// without depth has colour writes alone.
 class MemoryEnd {
  public:
   MemoryEnd(const RtlUnit& unit, int latency_cycles);
 
-  void start(const spec::FrameState& frame);
+  void start(core::FrameBuffer buffer) { buffer_ = std::move(buffer); }
   /// Before settle: ready signals and a due response.
   void drive(const Stalls& stalls, uint64_t cycle);
   /// After settle: takes reads and writes. True when a write was accepted.
@@ -73,17 +73,25 @@ class MemoryEnd {
     bool valid = false;
     spec::Packed words;
   };
+  /// The ports of the depth memory.
+  struct Depth {
+    explicit Depth(const RtlUnit& unit);
+    SinkEnd<spec::DepthRead> reads;
+    SinkEnd<spec::DepthWrite> writes;
+    StampWords read_words, write_words;
+    int z;  // position of the write's depths
+    PortData response_valid;
+    PayloadPort<spec::DepthData> response;
+  };
   void read(Response* response) const;
   void write_depth();
   void write_color();
 
   const spec::Contract& contract_;
-  SinkEnd<spec::DepthRead> reads_;
-  SinkEnd<spec::DepthWrite> depth_writes_;
+  std::optional<Depth> depth_;
   SinkEnd<spec::ColorWrite> color_writes_;
-  StampWords read_words_, depth_words_, color_words_;
-  PortData response_valid_;
-  PayloadPort<spec::DepthData> response_;
+  StampWords color_words_;
+  int attr_ = 0, flat_ = 0;    // positions of the fields
   std::vector<Response> due_;  // by cycle modulo its size
   core::FrameBuffer buffer_;
 };

@@ -6,11 +6,21 @@
 #include <string>
 #include <vector>
 
-#include "Vinterp_ztest_unit.h"
-#include "Vloopback.h"
+// Tests build plug-ins of some units.
+#if __has_include("Vsetup_unit.h")
+#include "Vsetup_unit.h"
+#define PINEDA_HAS_SETUP
+#endif
+#if __has_include("Vraster_top.h")
 #include "Vraster_top.h"
 #include "Vraster_top___024root.h"
-#include "Vsetup_unit.h"
+#define PINEDA_HAS_TOP
+#endif
+#if __has_include("Vloopback.h")
+#include "Vloopback.h"
+#define PINEDA_HAS_LOOPBACK
+#endif
+#include "Vinterp_ztest_unit.h"
 #include "Vtraversal_unit.h"
 #include "verilated.h"
 #include "verilated_fst_c.h"
@@ -57,6 +67,7 @@ struct Unit : PinedaRtl {
 
 #define PORT(name) ports.push_back(port(#name, model->name));
 
+#ifdef PINEDA_HAS_SETUP
 struct Setup : Unit<Vsetup_unit> {
   Setup() {
     PORT(rst_ni)
@@ -70,6 +81,7 @@ struct Setup : Unit<Vsetup_unit> {
     PORT(idle_o)
   }
 };
+#endif
 
 struct Traversal : Unit<Vtraversal_unit> {
   Traversal() {
@@ -77,6 +89,10 @@ struct Traversal : Unit<Vtraversal_unit> {
     PORT(prim_valid_i)
     PORT(prim_ready_o)
     PORT(prim_i)
+#ifdef PINEDA_HIERARCHICAL_Z
+    PORT(hides_i)
+    PORT(z_max_i)
+#endif
     PORT(stamp_valid_o)
     PORT(stamp_ready_i)
     PORT(stamp_o)
@@ -84,7 +100,8 @@ struct Traversal : Unit<Vtraversal_unit> {
   }
 };
 
-#define MEMORY_PORTS      \
+#ifdef PINEDA_DEPTH
+#define DEPTH_PORTS       \
   PORT(depth_rd_valid_o)  \
   PORT(depth_rd_ready_i)  \
   PORT(depth_rd_o)        \
@@ -92,15 +109,27 @@ struct Traversal : Unit<Vtraversal_unit> {
   PORT(depth_rsp_i)       \
   PORT(depth_wr_valid_o)  \
   PORT(depth_wr_ready_i)  \
-  PORT(depth_wr_o)        \
-  PORT(color_wr_valid_o)  \
-  PORT(color_wr_ready_i)  \
+  PORT(depth_wr_o)
+#else
+#define DEPTH_PORTS
+#endif
+#define MEMORY_PORTS     \
+  DEPTH_PORTS            \
+  PORT(color_wr_valid_o) \
+  PORT(color_wr_ready_i) \
   PORT(color_wr_o)
 
 struct InterpZtest : Unit<Vinterp_ztest_unit> {
   InterpZtest() {
     PORT(rst_ni)
+#ifdef PINEDA_DEPTH
     PORT(depth_func_i)
+    PORT(depth_write_i)
+#endif
+#ifdef PINEDA_HIERARCHICAL_Z
+    PORT(frame_width_i)
+    PORT(frame_height_i)
+#endif
     PORT(stamp_valid_i)
     PORT(stamp_ready_o)
     PORT(stamp_i)
@@ -109,12 +138,15 @@ struct InterpZtest : Unit<Vinterp_ztest_unit> {
   }
 };
 
+#ifdef PINEDA_HAS_LOOPBACK
 struct Loopback : Unit<Vloopback> {
   Loopback() {
 #include "loopback_ports.inc"
   }
 };
+#endif
 
+#ifdef PINEDA_HAS_TOP
 // The streams between the units of the top, read only.
 #define TAP(name) ports.push_back(port(#name, model->rootp->raster_top__DOT__##name));
 
@@ -165,15 +197,22 @@ struct Top : Unit<Vraster_top> {
   std::unique_ptr<VerilatedFstC> fst;
   uint64_t time = 0;
 };
+#endif
 
 PinedaRtl* open_unit(const char* name) {
   const std::string unit = name;
   std::unique_ptr<PinedaRtl> rtl;
+#ifdef PINEDA_HAS_SETUP
   if (unit == "setup") rtl = std::make_unique<Setup>();
+#endif
   if (unit == "traversal") rtl = std::make_unique<Traversal>();
   if (unit == "interp_ztest") rtl = std::make_unique<InterpZtest>();
+#ifdef PINEDA_HAS_LOOPBACK
   if (unit == "loopback") rtl = std::make_unique<Loopback>();
+#endif
+#ifdef PINEDA_HAS_TOP
   if (unit == "top") rtl = std::make_unique<Top>();
+#endif
   if (rtl) rtl->ports.push_back({nullptr, nullptr, 0});
   return rtl.release();
 }

@@ -6,18 +6,18 @@ SOURCE ?= $(abspath $(dir $(lastword $(MAKEFILE_LIST)))/..)
 VERILATOR ?= verilator
 CXXFLAGS ?= -O3
 RTL := $(SOURCE)/rtl
-UNITS := setup_unit traversal_unit interp_ztest_unit raster_top loopback
-RTL_SOURCES := $(RTL)/lib/stream_fifo.sv $(RTL)/reciprocal_newton.sv \
-  $(RTL)/reciprocal_quadratic.sv $(RTL)/reciprocal_restoring.sv $(RTL)/reciprocal.sv \
-  $(RTL)/setup_planes.sv $(RTL)/setup_unit.sv $(RTL)/tile_walker.sv $(RTL)/stamp_walker.sv \
-  $(RTL)/traversal_unit.sv $(RTL)/interpolator.sv $(RTL)/inflight_table.sv \
-  $(RTL)/interp_ztest_unit.sv $(RTL)/raster_top.sv
+# A plug-in has the units that it is built from.
+UNITS ?= setup_unit traversal_unit interp_ztest_unit raster_top loopback
+# The package comes first; every design has its own.
+RTL_SOURCES := $(wildcard $(RTL)/lib/*.sv) $(filter-out %/pineda_pkg.sv,$(wildcard $(RTL)/*.sv))
 LINT := $(RTL)/lint/waivers.vlt
 SELF := $(firstword $(MAKEFILE_LIST))
 
 VERILATOR_ROOT := $(shell $(VERILATOR) --getenv VERILATOR_ROOT)
 # Loops over the in-flight table are longer than what Verilator unrolls by itself.
 FLAGS := --cc -O3 --unroll-count 256 --x-assign fast --x-initial fast --assert -Wall --prefix
+# What the design has, as the package says.
+PARTS = $(shell sed -n 's/^`define \(PINEDA_[A-Z_]*\)$$/-D\1/p' $(WORK)/pineda_pkg.sv)
 RUNTIME := verilated verilated_fst_c verilated_threads
 
 # A second make, once the generated sources exist and can be listed.
@@ -63,7 +63,7 @@ $(OUT): $(OBJECTS)
 	mv $(OUT).part $(OUT)
 
 $(WORK)/plugin.o: $(SOURCE)/tb/plugin.cpp $(SOURCE)/tb/plugin.h $(UNITS:%=$(WORK)/%.stamp)
-	$(COMPILE) -DPINEDA_RTL_DESIGN='"$(DESIGN)"' -c $< -o $@
+	$(COMPILE) $(PARTS) -DPINEDA_RTL_DESIGN='"$(DESIGN)"' -c $< -o $@
 
 $(RUNTIME:%=$(WORK)/%.o): $(WORK)/%.o: $(VERILATOR_ROOT)/include/%.cpp
 	$(COMPILE) -c $< -o $@

@@ -5,10 +5,12 @@ namespace pineda::tb {
 struct Recorder {
   Reference& to;
   void prim(const spec::SetupPrim& token) { to.prims_.push_back(token); }
-  void stamp(const spec::Stamp& token) { to.stamps_.push_back(token); }
-  void fragment(const spec::Stamp&, const spec::Fragment&) {}
+  void stamp(const spec::Stamp& token) { to.stamps_.push_back({token, false}); }
   void depth(const spec::DepthWrite& token) { to.depths_.push_back(token); }
-  void color(const spec::ColorWrite& token) { to.colors_.push_back(token); }
+  void color(const spec::ColorWrite& token) {
+    to.stamps_.back().is_seen = true;
+    to.colors_.push_back(token);
+  }
 };
 
 bool Reference::draw() {
@@ -29,6 +31,7 @@ const T* Reference::front(std::deque<T>* queue) {
 Scoreboard::Scoreboard(std::string who, const spec::Contract& contract,
                        const spec::FrameState& frame, NextTriangle next)
     : who_(std::move(who)),
+      may_leave_out_(contract.design.hierarchical_z),
       reference_(contract, frame, std::move(next)),
       prims_(contract),
       stamps_(contract),
@@ -60,7 +63,21 @@ bool Scoreboard::compare(const char* unit, uint64_t cycle, const T* expected, co
 void Scoreboard::prim(uint64_t cycle, const spec::SetupPrim& got) {
   if (compare("setup", cycle, reference_.prim(), got, prims_)) reference_.pop_prim();
 }
+// Up to the one that came, or, at the end, to all that are left.
+void Scoreboard::pass_over_hidden(const spec::Stamp* got) {
+  const auto is = [](const spec::Stamp& a, const spec::Stamp& b) {
+    return a.id == b.id && a.x == b.x && a.y == b.y;
+  };
+  const spec::Stamp* next;
+  while (may_leave_out_ && (next = reference_.stamp()) != nullptr &&
+         (got == nullptr || !is(*next, *got)) && reference_.stamp_is_hidden()) {
+    ++left_out_;
+    reference_.pop_stamp();
+  }
+}
+
 void Scoreboard::stamp(uint64_t cycle, const spec::Stamp& got) {
+  pass_over_hidden(&got);
   if (compare("traversal", cycle, reference_.stamp(), got, stamps_)) reference_.pop_stamp();
 }
 void Scoreboard::depth(uint64_t cycle, const spec::DepthWrite& got) {
@@ -71,6 +88,7 @@ void Scoreboard::color(uint64_t cycle, const spec::ColorWrite& got) {
 }
 
 void Scoreboard::finish() {
+  pass_over_hidden(nullptr);
   const auto missing = [this](const char* unit, auto next, auto pop) {
     while (const auto* token = (reference_.*next)()) {
       diverge(fmt::format("{}: triangle {}: a {} never came", unit, token->id,

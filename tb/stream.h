@@ -32,6 +32,8 @@ class PayloadPort {
     packer_.pack(value, words_.data());
     std::memcpy(port_.data, words_.data(), port_.bytes);
   }
+  /// The same from words that hold the packed struct.
+  void set_packed(const uint32_t* words) { std::memcpy(port_.data, words, port_.bytes); }
   T get() {
     std::memcpy(words_.data(), port_.data, port_.bytes);
     return packer_.unpack(words_.data());

@@ -23,19 +23,31 @@ InterpZtestBench::InterpZtestBench(const RtlLibrary& library, const BenchOptions
     : unit_(library, "interp_ztest"),
       stalls_(options.stall_mode, options.seed),
       stamps_(unit_, "stamp"),
-      depth_func_(unit_.port("depth_func_i")),
       idle_(unit_.port("idle_o")),
       memory_(unit_, options.depth_latency_cycles) {
+  if (unit_.contract().design.depth_test) {
+    depth_func_ = unit_.port("depth_func_i");
+    depth_write_ = unit_.port("depth_write_i");
+  }
   unit_.reset();
 }
 
-InterpZtestBench::Writes InterpZtestBench::run(const spec::FrameState& frame,
-                                               const std::vector<spec::Stamp>& stamps,
-                                               std::vector<uint64_t>* accepted) {
+InterpZtestBench::Writes InterpZtestBench::run_on(core::FrameBuffer memory,
+                                                  const spec::FrameState& frame,
+                                                  const std::vector<spec::Stamp>& stamps,
+                                                  std::vector<uint64_t>* accepted) {
   Writes writes;
   WriteRecorder recorder(&writes);
-  *static_cast<uint8_t*>(depth_func_.data) = static_cast<uint8_t>(frame.depth);
-  memory_.start(frame);
+  if (depth_func_) {
+    *static_cast<uint8_t*>(depth_func_->data) = static_cast<uint8_t>(frame.depth);
+    depth_write_->set_bit(frame.depth_write);
+  }
+  if (unit_.contract().design.hierarchical_z) {
+    *static_cast<uint16_t*>(unit_.port("frame_width_i").data) = static_cast<uint16_t>(frame.width);
+    *static_cast<uint16_t*>(unit_.port("frame_height_i").data) =
+        static_cast<uint16_t>(frame.height);
+  }
+  memory_.start(std::move(memory));
   size_t next = 0;
   uint64_t last_event = unit_.cycle();
   for (bool done = false; !done;) {

@@ -81,10 +81,13 @@ class SetupBench : public UnitBench<spec::Triangle, spec::SetupPrim> {
   PayloadPort<spec::FrameState> frame_;
 };
 
+/// Nothing is stored yet, so hierarchical z hides nothing.
 class TraversalBench : public UnitBench<spec::SetupPrim, spec::Stamp> {
  public:
   TraversalBench(const RtlLibrary& library, const BenchOptions& options)
-      : UnitBench(library, "traversal", "prim", "stamp", options) {}
+      : UnitBench(library, "traversal", "prim", "stamp", options) {
+    if (unit().contract().design.hierarchical_z) unit().port("hides_i").set_bit(false);
+  }
 };
 
 /// Interpolation and depth test with its memories.
@@ -98,14 +101,20 @@ class InterpZtestBench {
   };
   /// Clears the memories, feeds all stamps, waits until the unit is idle.
   Writes run(const spec::FrameState& frame, const std::vector<spec::Stamp>& stamps,
-             std::vector<uint64_t>* accepted = nullptr);
+             std::vector<uint64_t>* accepted = nullptr) {
+    return run_on(core::FrameBuffer(unit_.contract(), frame), frame, stamps, accepted);
+  }
+  /// The same on memories that hold something.
+  Writes run_on(core::FrameBuffer memory, const spec::FrameState& frame,
+                const std::vector<spec::Stamp>& stamps, std::vector<uint64_t>* accepted = nullptr);
   const core::FrameBuffer& buffer() const { return memory_.buffer(); }
 
  private:
   RtlUnit unit_;
   Stalls stalls_;
   SourceEnd<spec::Stamp> stamps_;
-  PortData depth_func_, idle_;
+  std::optional<PortData> depth_func_, depth_write_;
+  PortData idle_;
   MemoryEnd memory_;
 };
 

@@ -34,6 +34,7 @@ const std::vector<Counter>& counters() {
       PINEDA_COUNTER("tiles_accepted", tiles_accepted),
       PINEDA_COUNTER("stamps", stamps),
       PINEDA_COUNTER("fragments", fragments),
+      PINEDA_COUNTER("interpolated", interpolated),
       PINEDA_COUNTER("passed", passed),
   };
 #undef PINEDA_COUNTER

@@ -126,7 +126,7 @@ std::string Codec<FrameCase>::write(const FrameCase& value) const {
     text += " " + hex(static_cast<int64_t>(counter.get(value.counters)), kCounterBits);
   }
   return text + "\n" + write_rows("depth", b.depth, b.width, d.depth_bits, 1) +
-         write_rows("color", b.color, b.width, d.attribute_bits, d.attributes) +
+         write_rows("color", b.color, b.width, d.attribute_bits, b.channels) +
          write_rows("hits", b.hits, b.width, kHitBits, 1);
 }
 
@@ -145,7 +145,7 @@ void Codec<FrameCase>::read(Lines* lines, FrameCase* value) const {
   core::FrameBuffer& b = value->buffer;
   b = core::FrameBuffer(contract_, value->frame);
   read_rows(lines, "depth", &b.depth, b.width, d.depth_bits, 1);
-  read_rows(lines, "color", &b.color, b.width, d.attribute_bits, d.attributes);
+  read_rows(lines, "color", &b.color, b.width, d.attribute_bits, b.channels);
   read_rows(lines, "hits", &b.hits, b.width, kHitBits, 1);
 }
 

@@ -53,7 +53,8 @@ class Draw {
   Point point_near(Point p, int64_t radius);  // subpixels
   /// The centre of a pixel low .. high, in both directions.
   Point any_center(int64_t low, int64_t high);
-  /// A vertex with random depth and attributes.
+  /// A vertex with random depth and attributes; with perspective also 1/w, the three of a triangle
+  /// up to 2^20 apart and now and then as far as it goes.
   spec::Vertex vertex(Point p);
 
   /// Adds a triangle whose vertices start anywhere and run either way round.
@@ -78,9 +79,10 @@ struct SceneClass {
   void (*draw)(Draw& d);
 };
 
-/// Each hard case of coverage, of values and of order; then the random classes.
+/// Each hard case of coverage, of values and of order, of raster state; then the random classes.
 std::vector<SceneClass> coverage_classes();
 std::vector<SceneClass> value_classes();
+std::vector<SceneClass> state_classes();
 std::vector<SceneClass> random_classes();
 
 }  // namespace pineda::vectors

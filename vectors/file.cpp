@@ -75,7 +75,7 @@ spec::FrameState read_frame(Lines* lines, const Row<spec::FrameState>& row) {
   };
   expect(frame.width >= 1 && frame.height >= 1, "a frame of at least 1 x 1 px");
   expect(frame.cull <= spec::Cull::kFront, "cull 0, 1 or 2");
-  expect(frame.depth <= spec::DepthFunc::kOff, "depth 0, 1 or 2");
+  expect(frame.depth <= spec::DepthFunc::kAlways, "depth 0 to 8");
   return frame;
 }
 

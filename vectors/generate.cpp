@@ -75,7 +75,7 @@ InterpZtestCase raw_stamps(const Contract& c, uint64_t seed, int index) {
   InterpZtestCase inputs;
   inputs.name = "raw_planes." + std::to_string(index);
   inputs.frame.width = inputs.frame.height = 2 << d.tile_log2;
-  inputs.frame.depth = static_cast<spec::DepthFunc>(index % 3);
+  inputs.frame.depth = static_cast<spec::DepthFunc>(index % 9);
   for (uint32_t i = 0; i < 12; ++i) {
     spec::Stamp stamp;
     stamp.id = i;
@@ -83,6 +83,7 @@ InterpZtestCase raw_stamps(const Contract& c, uint64_t seed, int index) {
     stamp.y = static_cast<int>(rng.between(0, (2 << d.tile_log2 >> d.stamp_height_log2) - 1));
     stamp.mask = static_cast<uint32_t>(rng.between(1, (int64_t{1} << c.width.lanes) - 1));
     stamp.planes.z = raw_plane(rng, c.width.depth_tile_plane);
+    stamp.planes.z_bias = spec::wrap(static_cast<int64_t>(rng.next()), c.width.depth_bias);
     for (size_t a = 0; a < static_cast<size_t>(d.attributes); ++a) {
       stamp.planes.attr[a] = raw_plane(rng, c.width.attr_tile_plane);
     }
@@ -92,6 +93,8 @@ InterpZtestCase raw_stamps(const Contract& c, uint64_t seed, int index) {
 }
 
 void add_raw(uint64_t seed, File<InterpZtestCase>* file) {
+  // Without edges there are no weights, so perspective has no such stamps.
+  if (file->contract.design.perspective) return;
   const int count = file->level == 1 ? 8 : 64;
   for (int i = 0; i < count; ++i) file->cases.push_back(raw_stamps(file->contract, seed, i));
 }

@@ -22,10 +22,16 @@ exact::Judge judge_of(const Contract& c, const spec::FrameState& frame, const sp
   exact::Triangle triangle;
   for (size_t i = 0; i < 3; ++i) {
     const spec::Vertex& v = t.v[i];
-    triangle[i] = {v.x, v.y, v.z, {v.attr.begin(), v.attr.begin() + c.design.attributes}};
+    // Flat shading: the first vertex's attributes everywhere.
+    const auto& attr = (frame.shade == spec::Shade::kFlat ? t.v[0] : v).attr;
+    triangle[i] = {v.x, v.y, v.z, {attr.begin(), attr.begin() + c.design.attributes}};
   }
-  return exact::Judge(triangle, c.design.subpixel_bits, frame.width, frame.height,
-                      static_cast<exact::Cull>(frame.cull));
+  exact::Frame exact{frame.width, frame.height, static_cast<exact::Cull>(frame.cull)};
+  exact.x0 = frame.scissor_x0;
+  exact.y0 = frame.scissor_y0;
+  exact.x1 = frame.scissor_x1;
+  exact.y1 = frame.scissor_y1;
+  return exact::Judge(triangle, c.design.subpixel_bits, exact);
 }
 
 // One triangle before its judge.
@@ -33,7 +39,11 @@ class Hearing {
  public:
   Hearing(const Contract& c, const spec::FrameState& frame, const spec::Triangle& triangle,
           const Bounds& bounds)
-      : c_(c), frame_(frame), bounds_(bounds), judge_(judge_of(c, frame, triangle)) {
+      : c_(c),
+        frame_(frame),
+        triangle_(triangle),
+        bounds_(bounds),
+        judge_(judge_of(c, frame, triangle)) {
     drop_ = core::setup(c, frame, triangle, &prim_);
   }
 
@@ -106,8 +116,9 @@ class Hearing {
     });
   }
 
-  // The planes of setup, before they are narrowed for a tile.
+  // The planes of setup, before they are narrowed for a tile and without a bias.
   Text planes(int x, int y) const {
+    if (c_.design.perspective) return std::nullopt;  // stamps() judges what it makes of the edges
     const auto value = [&](const spec::Plane& p, int bits, int out_bits) {
       const spec::int128_t sum =
           p.ref + spec::int128_t{p.dx} * from_x(x) + spec::int128_t{p.dy} * from_y(y);
@@ -119,22 +130,45 @@ class Hearing {
     for (size_t a = 0; a < static_cast<size_t>(c_.design.attributes); ++a) {
       attr[a] = value(prim_.planes.attr[a], c_.width.attr_plane, c_.design.attribute_bits);
     }
-    return values(x, y, value(prim_.planes.z, c_.width.depth_plane, c_.design.depth_bits), attr);
+    const int64_t z = c_.design.depth_test
+                          ? value(prim_.planes.z, c_.width.depth_plane, c_.design.depth_bits)
+                          : 0;
+    return values(x, y, z, 0, attr);
   }
 
+  // `bias` is the one that setup found, in codes: whether it is right, tests/core says.
   template <class Attributes>
-  Text values(int x, int y, int64_t z, const Attributes& attr) const {
-    const double depth = judge_.depth_error(x, y, z);
-    if (std::fabs(depth) > bounds_.depth_codes) {
+  Text values(int x, int y, int64_t z, double bias, const Attributes& attr) const {
+    const double depth = c_.design.depth_test ? judge_.depth_error(x, y, z) - bias : 0;
+    const bool clamped = bias > 0 ? z == (int64_t{1} << c_.design.depth_bits) - 1 && depth < 0
+                                  : bias < 0 && z == 0 && depth > 0;
+    if (std::fabs(depth) > bounds_.depth_codes && !clamped) {
       return fmt::format("depth at ({}, {}) is {} codes off", x, y, depth);
     }
     for (int a = 0; a < c_.design.attributes; ++a) {
-      const double error = judge_.attribute_error(x, y, a, attr[static_cast<size_t>(a)]);
+      const double error = c_.design.perspective
+                               ? perspective_error(x, y, a, attr[static_cast<size_t>(a)])
+                               : judge_.attribute_error(x, y, a, attr[static_cast<size_t>(a)]);
       if (std::fabs(error) > bounds_.attribute_lsb) {
         return fmt::format("attribute {} at ({}, {}) is {} LSB off", a, x, y, error);
       }
     }
     return std::nullopt;
+  }
+
+  // Against weights in exact integers, times 1/w as the vertices have it; then in long doubles.
+  double perspective_error(int x, int y, int attribute, int64_t value) const {
+    const auto weights = judge_.weights(x, y);
+    long double sum = 0;
+    long double total = 0;
+    for (size_t i = 0; i < 3; ++i) {
+      const spec::Vertex& v = triangle_.v[i];
+      const long double weight =
+          std::ldexp(static_cast<long double>(weights[i]) * v.inverse_w, -v.inverse_w_shift);
+      total += weight;
+      sum += weight * judge_.vertices()[i].attr[static_cast<size_t>(attribute)];
+    }
+    return static_cast<double>(static_cast<long double>(value) - sum / total);
   }
 
   // Every sample that traversal sends, and that it sends as many as there are, each once.
@@ -153,7 +187,9 @@ class Hearing {
         if (!judge_.covers(x, y)) return fmt::format("sample ({}, {}) is not covered", x, y);
         ++samples;
         const auto l = static_cast<size_t>(lane);
-        if (const Text text = values(x, y, fragment.z[l], fragment.attr[l])) return text;
+        const double bias =
+            std::ldexp(static_cast<double>(stamp.planes.z_bias), -spec::kBiasFractionBits);
+        if (const Text text = values(x, y, fragment.z[l], bias, fragment.attr[l])) return text;
       }
     }
     std::sort(seen.begin(), seen.end());
@@ -164,6 +200,7 @@ class Hearing {
 
   const Contract& c_;
   spec::FrameState frame_;
+  spec::Triangle triangle_;
   Bounds bounds_;
   exact::Judge judge_;
   spec::SetupPrim prim_;

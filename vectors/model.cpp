@@ -23,9 +23,8 @@ TraversalCase run_model(const Contract& c, const TraversalCase& inputs) {
     for (core::TileWalk::Test test; (test = tiles.next(&tile)) != core::TileWalk::Test::kEnd;) {
       if (test == core::TileWalk::Test::kRejected) continue;
       spec::Stamp stamp;
-      stamp.id = tile.id;
-      stamp.planes = tile.planes;
       core::StampWalk stamps(c, tile);
+      stamps.begin(&stamp);
       while (stamps.next(&stamp.mask, &stamp.x, &stamp.y)) {
         if (stamp.mask != 0) result.out.push_back(stamp);
       }
@@ -36,7 +35,7 @@ TraversalCase run_model(const Contract& c, const TraversalCase& inputs) {
 
 InterpZtestCase run_model(const Contract& c, const InterpZtestCase& inputs) {
   InterpZtestCase result{inputs.name, inputs.frame, inputs.in, {}, {}};
-  const bool test = inputs.frame.depth != spec::DepthFunc::kOff;
+  const bool test = core::tests_depth(c, inputs.frame);
   core::FrameBuffer memory(c, inputs.frame);
   for (const auto& stamp : inputs.in) {
     spec::Fragment fragment;
@@ -45,7 +44,7 @@ InterpZtestCase run_model(const Contract& c, const InterpZtestCase& inputs) {
     const uint32_t passed =
         core::depth_test(c, inputs.frame.depth, stamp.mask, fragment.z, stored.z);
     if (passed == 0) continue;
-    if (test) {
+    if (test && inputs.frame.depth_write) {
       result.depth.push_back(core::depth_write(c, stamp, fragment, passed));
       memory.write(c, result.depth.back());
     }

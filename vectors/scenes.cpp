@@ -34,9 +34,16 @@ Vertex Draw::vertex(Point p) {
   v.x = static_cast<int32_t>(p.x);
   v.y = static_cast<int32_t>(p.y);
   v.z = rng_.between(0, far());
-  for (int i = 0; i < contract_.design.attributes; ++i) {
+  for (int i = 0; i < spec::channels(contract_.design); ++i) {
     v.attr[static_cast<size_t>(i)] = static_cast<int32_t>(rng_.between(0, full()));
   }
+  if (!contract_.design.perspective) return v;
+  const int32_t half = 1 << (contract_.design.inverse_w_bits - 1);
+  v.inverse_w = static_cast<int32_t>(rng_.between(half, 2 * int64_t{half} - 1));
+  const int64_t kind = rng_.between(0, 7);
+  v.inverse_w_shift = static_cast<int32_t>(kind == 0   ? rng_.between(0, 253)
+                                           : kind <= 3 ? 0
+                                                       : rng_.between(0, 20));
   return v;
 }
 
@@ -53,11 +60,16 @@ void Draw::add_shuffled(std::array<Vertex, 3> v) {
 
 void Draw::add_ordered(const std::array<Vertex, 3>& v) {
   scene_.triangles.push_back({static_cast<uint32_t>(scene_.triangles.size()), v});
+  auto& added = scene_.triangles.back().v;  // the greatest 1/w has shift 0
+  const int32_t least =
+      std::min({added[0].inverse_w_shift, added[1].inverse_w_shift, added[2].inverse_w_shift});
+  for (Vertex& vertex : added) vertex.inverse_w_shift -= least;
 }
 
 std::vector<Scene> scenes(const spec::Contract& contract, int level, uint64_t seed) {
   std::vector<Scene> all;
-  for (const auto& classes : {coverage_classes(), value_classes(), random_classes()}) {
+  for (const auto& classes :
+       {coverage_classes(), value_classes(), state_classes(), random_classes()}) {
     for (const SceneClass& kind : classes) {
       const int count = level == 1 ? kind.scenes : 8 * kind.scenes;
       for (int i = 0; i < count; ++i) {

@@ -1,5 +1,7 @@
 #include "model/core/exact_planes.h"
 
+#include <algorithm>
+
 namespace pineda::core {
 
 using spec::Contract;
@@ -16,18 +18,30 @@ ExactPlanes::Step ExactPlanes::divide(int128_t numerator, int64_t denominator) {
   return {static_cast<uint64_t>(quotient), remainder};
 }
 
-ExactPlanes::ExactPlanes(const Contract& c, const Triangle& t) {
+ExactPlanes::ExactPlanes(const Contract& c, const spec::FrameState& frame, const Triangle& t) {
   const auto& v = t.v;
   area2_ = (int64_t{v[1].x} - v[0].x) * (int64_t{v[2].y} - v[0].y) -
            (int64_t{v[2].x} - v[0].x) * (int64_t{v[1].y} - v[0].y);
-  z_ = plane(c, t, {v[0].z, v[1].z, v[2].z}, spec::kDepthInputFractionBits);
+  if (c.design.depth_test) {
+    // In units that hold a bias as well.
+    constexpr int kFiner = 1 << spec::kBiasFactorFractionBits;
+    z_ = plane(c, t, {v[0].z * kFiner, v[1].z * kFiner, v[2].z * kFiner},
+               spec::kDepthInputFractionBits + spec::kBiasFactorFractionBits);
+    if (frame.has_bias()) {
+      const Step bias = depth_bias(c, frame, t);
+      z_.ref.quotient += bias.quotient;
+      z_.ref.remainder += bias.remainder;
+    }
+  }
+  const bool flat = frame.shade == spec::Shade::kFlat;
   for (size_t i = 0; i < static_cast<size_t>(c.design.attributes); ++i) {
-    attr_[i] = plane(c, t, {v[0].attr[i], v[1].attr[i], v[2].attr[i]}, 0);
+    attr_[i] = plane(c, t, {v[0].attr[i], v[flat ? 0 : 1].attr[i], v[flat ? 0 : 2].attr[i]}, 0);
   }
 }
 
 // A step is the doubled area of a triangle in a box of 2^(depth_in) by 2^(guard+1+S), so below
-// 2^68; times an offset within the guard band, below 2^96: 128 bits hold all numerators.
+// 2^76 with the bits of a bias; times an offset within the guard band, below 2^104: 128 bits hold
+// all numerators, and 63 the denominator.
 ExactPlanes::Plane ExactPlanes::plane(const Contract& c, const Triangle& t,
                                       const std::array<int64_t, 3>& value,
                                       int fraction_bits) const {
@@ -62,20 +76,57 @@ int64_t ExactPlanes::nearest(const Plane& p, int x, int y) {
   return static_cast<int64_t>(quotients + rest.quotient + up);
 }
 
-void ExactPlanes::interpolate(const Contract& c, const spec::Stamp& stamp,
-                              spec::Fragment* fragment) const {
+// Constant + slope * max(|dz/dx|, |dz/dy|). Steps count 2^-8 codes a subpixel and the slope 2^-8,
+// so that their product has the unit of the plane's numerators.
+ExactPlanes::Step ExactPlanes::depth_bias(const Contract& c, const spec::FrameState& frame,
+                                          const Triangle& t) const {
+  const auto& v = t.v;
+  const int128_t d1 = v[1].z - v[0].z;
+  const int128_t d2 = v[2].z - v[0].z;
+  const int128_t step_x = d1 * (int64_t{v[2].y} - v[0].y) - d2 * (int64_t{v[1].y} - v[0].y);
+  const int128_t step_y = d2 * (int64_t{v[1].x} - v[0].x) - d1 * (int64_t{v[2].x} - v[0].x);
+  const int128_t step = std::max(step_x < 0 ? -step_x : step_x, step_y < 0 ? -step_y : step_y);
+  const int128_t numerator = frame.bias_slope * step * (1 << c.design.subpixel_bits);
+  // A bias beyond twice the range of depth moves every code to an end: enough, and it cannot wrap.
+  const int128_t limit = int128_t{2} << c.design.depth_bits;
+  const int128_t whole =
+      std::clamp(numerator / z_.denominator, -limit, limit) + frame.bias_constant;
+  const Step rest = divide(numerator % z_.denominator, z_.denominator);
+  return {static_cast<uint64_t>(whole) + rest.quotient, rest.remainder};
+}
+
+template <class Visitor>
+void ExactPlanes::for_each_lane(const Contract& c, const spec::Stamp& stamp, uint32_t lanes,
+                                Visitor&& visit) {
   const int width = 1 << c.design.stamp_width_log2;
-  const auto attributes = static_cast<size_t>(c.design.attributes);
-  for (int lane = 0; lane < c.width.lanes; ++lane) {
-    const auto l = static_cast<size_t>(lane);
-    const bool covered = (stamp.mask >> lane & 1) != 0;
-    const int x = stamp.x * width + lane % width;
-    const int y = (stamp.y << c.design.stamp_height_log2) + lane / width;
-    fragment->z[l] = covered ? static_cast<uint32_t>(nearest(z_, x, y)) : 0;
-    for (size_t a = 0; a < attributes; ++a) {
-      fragment->attr[l][a] = covered ? static_cast<int32_t>(nearest(attr_[a], x, y)) : 0;
-    }
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int lane = __builtin_ctz(lanes);
+    visit(static_cast<size_t>(lane), stamp.x * width + lane % width,
+          (stamp.y << c.design.stamp_height_log2) + lane / width);
   }
+}
+
+void ExactPlanes::depth(const Contract& c, const spec::Stamp& stamp,
+                        spec::Fragment* fragment) const {
+  std::fill_n(fragment->z.begin(), c.width.lanes, 0);
+  if (!c.design.depth_test) return;
+  const int64_t top = (int64_t{1} << c.design.depth_bits) - 1;
+  for_each_lane(c, stamp, stamp.mask, [&](size_t lane, int x, int y) {
+    fragment->z[lane] = static_cast<uint32_t>(std::clamp<int64_t>(nearest(z_, x, y), 0, top));
+  });
+}
+
+void ExactPlanes::attributes(const Contract& c, const spec::Stamp& stamp, uint32_t lanes,
+                             spec::Fragment* fragment) const {
+  const auto n = static_cast<size_t>(c.design.attributes);
+  for (size_t lane = 0; lane < static_cast<size_t>(c.width.lanes); ++lane) {
+    if ((lanes >> lane & 1) == 0) std::fill_n(fragment->attr[lane].begin(), n, 0);
+  }
+  for_each_lane(c, stamp, lanes, [&](size_t lane, int x, int y) {
+    for (size_t a = 0; a < n; ++a) {
+      fragment->attr[lane][a] = static_cast<int32_t>(nearest(attr_[a], x, y));
+    }
+  });
 }
 
 }  // namespace pineda::core

@@ -8,17 +8,21 @@ namespace pineda::core {
 /// The planes of one triangle as quotients and remainders of its doubled area.
 ///
 /// Bits     the definition for reciprocal_scheme = kNone: each code is the exact value of the
-///          plane through the snapped vertices, rounded once, half up.
+///          plane through the snapped vertices, rounded once, half up; depth with its bias.
 /// In       a triangle whose doubled area is not 0.
 /// Errors   |z - exact| <= 1/2 code, |attribute - exact| <= 1/2 LSB.
 /// Twin     none: functional model alone.
 class ExactPlanes {
  public:
-  ExactPlanes(const spec::Contract& contract, const spec::Triangle& triangle);
+  ExactPlanes(const spec::Contract& contract, const spec::FrameState& frame,
+              const spec::Triangle& triangle);
 
-  /// As core::interpolate().
-  void interpolate(const spec::Contract& contract, const spec::Stamp& stamp,
-                   spec::Fragment* fragment) const;
+  /// As core::interpolate_depth().
+  void depth(const spec::Contract& contract, const spec::Stamp& stamp,
+             spec::Fragment* fragment) const;
+  /// As core::interpolate_attributes().
+  void attributes(const spec::Contract& contract, const spec::Stamp& stamp, uint32_t lanes,
+                  spec::Fragment* fragment) const;
 
  private:
   // quotient + remainder/denominator a step; 0 <= remainder < denominator. Quotients wrap modulo
@@ -35,6 +39,11 @@ class ExactPlanes {
   static int64_t nearest(const Plane& plane, int x, int y);
   Plane plane(const spec::Contract& contract, const spec::Triangle& triangle,
               const std::array<int64_t, 3>& value, int fraction_bits) const;
+  Step depth_bias(const spec::Contract& contract, const spec::FrameState& frame,
+                  const spec::Triangle& triangle) const;
+  template <class Visitor>
+  static void for_each_lane(const spec::Contract& contract, const spec::Stamp& stamp,
+                            uint32_t lanes, Visitor&& visit);
 
   int64_t area2_;  // positive when clockwise
   Plane z_;

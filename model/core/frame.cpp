@@ -12,7 +12,6 @@ namespace {
 struct NoSink {
   void prim(const spec::SetupPrim&) {}
   void stamp(const spec::Stamp&) {}
-  void fragment(const spec::Stamp&, const spec::Fragment&) {}
   void depth(const spec::DepthWrite&) {}
   void color(const spec::ColorWrite&) {}
 };
@@ -20,14 +19,14 @@ struct NoSink {
 }  // namespace
 
 FrameBuffer::FrameBuffer(const Contract& c, const spec::FrameState& frame)
-    : width(frame.width), height(frame.height), attributes(c.design.attributes) {
+    : width(frame.width), height(frame.height), channels(spec::channels(c.design)) {
   clear(c);
 }
 
 void FrameBuffer::clear(const Contract& c) {
   const size_t samples = static_cast<size_t>(width) * static_cast<size_t>(height);
-  depth.assign(samples, static_cast<uint32_t>((uint64_t{1} << c.design.depth_bits) - 1));
-  color.assign(samples * static_cast<size_t>(attributes), 0);
+  depth.assign(samples, cleared_depth(c.design));
+  color.assign(samples * static_cast<size_t>(channels), 0);
   hits.assign(samples, 0);
 }
 
@@ -43,9 +42,12 @@ void FrameBuffer::write(const Contract& c, const spec::DepthWrite& w) {
 }
 
 void FrameBuffer::write(const Contract& c, const spec::ColorWrite& w) {
-  const auto n = static_cast<size_t>(attributes);
+  const size_t attributes = static_cast<size_t>(c.design.attributes);
+  const auto n = static_cast<size_t>(channels);
   for_each_lane(c, w.x, w.y, w.mask, [&](size_t lane, size_t sample) {
-    std::copy_n(w.attr[lane].begin(), n, color.begin() + static_cast<std::ptrdiff_t>(sample * n));
+    const auto to = color.begin() + static_cast<std::ptrdiff_t>(sample * n);
+    const auto flat = std::copy_n(w.attr[lane].begin(), attributes, to);
+    std::copy_n(w.flat.begin(), n - attributes, flat);
   });
 }
 
@@ -53,6 +55,12 @@ void FrameBuffer::count_hits(const Contract& c, const spec::Stamp& stamp) {
   for_each_lane(c, stamp.x, stamp.y, stamp.mask, [&](size_t, size_t sample) {
     if (hits[sample] != UINT16_MAX) ++hits[sample];
   });
+}
+
+uint32_t Renderer::test(const spec::Stamp& stamp, const spec::Fragment& fragment) {
+  if (!tests_depth(contract_, frame_)) return stamp.mask;
+  const auto stored = buffer_.read(contract_, stamp.x, stamp.y, stamp.mask);
+  return depth_test(contract_, frame_.depth, stamp.mask, fragment.z, stored.z);
 }
 
 Drop Renderer::draw(const spec::Triangle& triangle) { return draw(triangle, NoSink{}); }

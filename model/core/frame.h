@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "model/core/exact_planes.h"
@@ -11,13 +12,18 @@
 
 namespace pineda::core {
 
+/// The code of a cleared sample: the greatest; without depth in the design 0xFFFFFF.
+constexpr uint32_t cleared_depth(const spec::Design& d) {
+  return static_cast<uint32_t>((uint64_t{1} << (d.depth_test ? d.depth_bits : 24)) - 1);
+}
+
 /// The frame's memories, row-major, top row first. Only samples inside the frame exist.
 struct FrameBuffer {
   int width = 0;
   int height = 0;
-  int attributes = 0;
-  std::vector<uint32_t> depth;  // codes, cleared to the greatest
-  std::vector<uint16_t> color;  // `attributes` values a sample, cleared to 0
+  int channels = 0;
+  std::vector<uint32_t> depth;  // codes
+  std::vector<uint16_t> color;  // `channels` values a sample, flat ones last, cleared to 0
   std::vector<uint16_t> hits;   // triangles that cover the sample, saturating at 65535
 
   FrameBuffer() = default;
@@ -53,8 +59,10 @@ struct FrameCounters {
   uint64_t tiles_tested = 0;
   uint64_t tiles_rejected = 0;
   uint64_t tiles_accepted = 0;  // all three edges accept
+  uint64_t tiles_hidden = 0;    // not rejected, but behind what is stored there: hierarchical z
   uint64_t stamps = 0;          // sent, so not empty
   uint64_t fragments = 0;       // covered samples sent
+  uint64_t interpolated = 0;    // stamps with a sample that passed: whose attributes were needed
   uint64_t passed = 0;          // samples written
 };
 
@@ -64,11 +72,37 @@ struct TileRows {
   int last = 1 << 16;  // more than any frame has
 };
 
-/// One triangle through setup, traversal and interpolation, or the part of it in some rows of
-/// tiles: no memories, no depth test. Counts all but `passed`, and hands over each token in order:
-/// sink.prim(SetupPrim), then for each stamp sink.stamp(Stamp), sink.fragment(Stamp, Fragment).
+/// The values of a triangle's stamps, by the planes of the stamp or, without a reciprocal in the
+/// design, by exact ones.
+class Interpolator {
+ public:
+  Interpolator(const spec::Contract& contract, const spec::FrameState& frame,
+               const spec::Triangle& triangle)
+      : contract_(contract) {
+    if (contract.design.reciprocal_scheme == spec::ReciprocalScheme::kNone) {
+      exact_.emplace(contract, frame, triangle);
+    }
+  }
+
+  void depth(const spec::Stamp& stamp, spec::Fragment* fragment) const {
+    exact_ ? exact_->depth(contract_, stamp, fragment)
+           : interpolate_depth(contract_, stamp, fragment);
+  }
+  void attributes(const spec::Stamp& stamp, uint32_t lanes, spec::Fragment* fragment) const {
+    exact_ ? exact_->attributes(contract_, stamp, lanes, fragment)
+           : interpolate_attributes(contract_, stamp, lanes, fragment);
+  }
+
+ private:
+  const spec::Contract& contract_;
+  std::optional<ExactPlanes> exact_;
+};
+
+/// One triangle through setup and traversal, or the part of it in some rows of tiles: no memories,
+/// no depth test. Counts all but `interpolated` and `passed`, and hands over each token in order:
+/// sink.prim(SetupPrim), then for each stamp sink.stamp(Stamp, Interpolator).
 template <class Sink>
-Drop draw_triangle(const spec::Contract& contract, const spec::FrameState& frame, TileRows rows,
+Drop walk_triangle(const spec::Contract& contract, const spec::FrameState& frame, TileRows rows,
                    const spec::Triangle& triangle, FrameCounters* counters, Sink&& sink) {
   spec::SetupPrim prim;
   const Drop drop = setup(contract, frame, triangle, &prim);
@@ -77,15 +111,11 @@ Drop draw_triangle(const spec::Contract& contract, const spec::FrameState& frame
   if (drop != Drop::kNone) return drop;
   if (!clip_rows(contract, rows.first, rows.last, &prim)) return drop;
   sink.prim(prim);
-  std::optional<ExactPlanes> exact;
-  if (contract.design.reciprocal_scheme == spec::ReciprocalScheme::kNone) {
-    exact.emplace(contract, triangle);
-  }
+  const Interpolator interpolator(contract, frame, triangle);
 
   TileWalk tiles(contract, prim);
   Tile tile;
   spec::Stamp stamp;
-  spec::Fragment fragment;
   for (TileWalk::Test test; (test = tiles.next(&tile)) != TileWalk::Test::kEnd;) {
     ++counters->tiles_tested;
     if (test == TileWalk::Test::kRejected) {
@@ -93,29 +123,41 @@ Drop draw_triangle(const spec::Contract& contract, const spec::FrameState& frame
       continue;
     }
     counters->tiles_accepted += tile.accepted == 7 ? 1 : 0;
-    stamp.id = tile.id;
-    stamp.planes = tile.planes;
     StampWalk stamps(contract, tile);
+    stamps.begin(&stamp);
     while (stamps.next(&stamp.mask, &stamp.x, &stamp.y)) {
       if (stamp.mask == 0) continue;
       ++counters->stamps;
       counters->fragments += static_cast<uint64_t>(__builtin_popcount(stamp.mask));
-      sink.stamp(stamp);
-      if (exact) {
-        exact->interpolate(contract, stamp, &fragment);
-      } else {
-        interpolate(contract, stamp, &fragment);
-      }
-      sink.fragment(stamp, fragment);
+      sink.stamp(stamp, interpolator);
     }
   }
   return drop;
 }
 
+/// As walk_triangle(), with the values of every covered sample, seen or not:
+/// sink.prim(SetupPrim), then for each stamp sink.stamp(Stamp), sink.fragment(Stamp, Fragment).
+template <class Sink>
+Drop draw_triangle(const spec::Contract& contract, const spec::FrameState& frame, TileRows rows,
+                   const spec::Triangle& triangle, FrameCounters* counters, Sink&& sink) {
+  struct Values {
+    Sink& sink;
+    spec::Fragment fragment;
+    void prim(const spec::SetupPrim& prim) { sink.prim(prim); }
+    void stamp(const spec::Stamp& stamp, const Interpolator& interpolator) {
+      sink.stamp(stamp);
+      interpolator.depth(stamp, &fragment);
+      interpolator.attributes(stamp, stamp.mask, &fragment);
+      sink.fragment(stamp, fragment);
+    }
+  };
+  return walk_triangle(contract, frame, rows, triangle, counters, Values{sink, {}});
+}
+
 /// Draws triangles one by one, or the part of them that lies in some rows of tiles. With a Sink,
 /// hands over each token at each unit boundary in order: sink.prim(SetupPrim), sink.stamp(Stamp),
-/// sink.depth(DepthWrite), sink.color(ColorWrite); and inside the last unit, before the depth test,
-/// sink.fragment(Stamp, Fragment).
+/// sink.depth(DepthWrite), sink.color(ColorWrite). Attributes are interpolated where a sample
+/// passes the depth test.
 class Renderer {
  public:
   Renderer(const spec::Contract& contract, const spec::FrameState& frame, TileRows rows = {})
@@ -135,9 +177,20 @@ class Renderer {
   Drop draw(const spec::Triangle& triangle, Sink&& sink);
   Drop draw(const spec::Triangle& triangle);
 
+  /// The same, with the values of every covered sample: sink.fragment(Stamp, Fragment), after
+  /// sink.stamp() and before the depth test.
+  template <class Sink>
+  Drop draw_showing_all(const spec::Triangle& triangle, Sink&& sink);
+
  private:
   template <class Sink>
-  void test_and_write(const spec::Stamp& stamp, const spec::Fragment& fragment, Sink&& sink);
+  struct Writer;
+  template <class Sink>
+  struct ShowingWriter;
+  uint32_t test(const spec::Stamp& stamp, const spec::Fragment& fragment);
+  template <class Sink>
+  void write(const spec::Stamp& stamp, const spec::Fragment& fragment, uint32_t passed,
+             Sink&& sink);
 
   spec::Contract contract_;
   spec::FrameState frame_;
@@ -147,35 +200,56 @@ class Renderer {
 };
 
 template <class Sink>
+struct Renderer::Writer {
+  Renderer& to;
+  Sink& sink;
+  spec::Fragment fragment;
+  void prim(const spec::SetupPrim& prim) { sink.prim(prim); }
+  void stamp(const spec::Stamp& stamp, const Interpolator& interpolator) {
+    sink.stamp(stamp);
+    to.buffer_.count_hits(to.contract_, stamp);
+    interpolator.depth(stamp, &fragment);
+    const uint32_t passed = to.test(stamp, fragment);
+    if (passed == 0) return;
+    interpolator.attributes(stamp, passed, &fragment);
+    to.write(stamp, fragment, passed, sink);
+  }
+};
+
+template <class Sink>
+struct Renderer::ShowingWriter {
+  Renderer& to;
+  Sink& sink;
+  void prim(const spec::SetupPrim& prim) { sink.prim(prim); }
+  void stamp(const spec::Stamp& stamp) {
+    sink.stamp(stamp);
+    to.buffer_.count_hits(to.contract_, stamp);
+  }
+  void fragment(const spec::Stamp& stamp, const spec::Fragment& fragment) {
+    sink.fragment(stamp, fragment);
+    const uint32_t passed = to.test(stamp, fragment);
+    if (passed != 0) to.write(stamp, fragment, passed, sink);
+  }
+};
+
+template <class Sink>
 Drop Renderer::draw(const spec::Triangle& triangle, Sink&& sink) {
-  struct Writer {
-    Renderer& to;
-    Sink& sink;
-    void prim(const spec::SetupPrim& prim) { sink.prim(prim); }
-    void stamp(const spec::Stamp& stamp) {
-      sink.stamp(stamp);
-      to.buffer_.count_hits(to.contract_, stamp);
-    }
-    void fragment(const spec::Stamp& stamp, const spec::Fragment& fragment) {
-      sink.fragment(stamp, fragment);
-      to.test_and_write(stamp, fragment, sink);
-    }
-  };
-  return draw_triangle(contract_, frame_, rows_, triangle, &counters_, Writer{*this, sink});
+  return walk_triangle(contract_, frame_, rows_, triangle, &counters_,
+                       Writer<std::remove_reference_t<Sink>>{*this, sink, {}});
 }
 
 template <class Sink>
-void Renderer::test_and_write(const spec::Stamp& stamp, const spec::Fragment& fragment,
-                              Sink&& sink) {
-  uint32_t passed = stamp.mask;
-  const bool test = frame_.depth != spec::DepthFunc::kOff;
-  if (test) {
-    const auto stored = buffer_.read(contract_, stamp.x, stamp.y, stamp.mask);
-    passed = depth_test(contract_, frame_.depth, stamp.mask, fragment.z, stored.z);
-  }
-  if (passed == 0) return;
+Drop Renderer::draw_showing_all(const spec::Triangle& triangle, Sink&& sink) {
+  return draw_triangle(contract_, frame_, rows_, triangle, &counters_,
+                       ShowingWriter<std::remove_reference_t<Sink>>{*this, sink});
+}
+
+template <class Sink>
+void Renderer::write(const spec::Stamp& stamp, const spec::Fragment& fragment, uint32_t passed,
+                     Sink&& sink) {
+  ++counters_.interpolated;
   counters_.passed += static_cast<uint64_t>(__builtin_popcount(passed));
-  if (test) {
+  if (tests_depth(contract_, frame_) && frame_.depth_write) {
     const auto write = depth_write(contract_, stamp, fragment, passed);
     sink.depth(write);
     buffer_.write(contract_, write);

@@ -41,14 +41,11 @@ Drop clip_box(const Contract& c, const FrameState& frame, const Triangle& t, Set
   const Range x = samples(x_low, x_high, c.design.subpixel_bits);
   const Range y = samples(y_low, y_high, c.design.subpixel_bits);
   if (x.first > x.last || y.first > y.last) return Drop::kNoSample;
-  if (x.last < 0 || y.last < 0 || x.first >= frame.width || y.first >= frame.height) {
-    return Drop::kOutside;
-  }
-  prim->x0 = std::max(x.first, 0);
-  prim->y0 = std::max(y.first, 0);
-  prim->x1 = std::min(x.last, frame.width - 1);
-  prim->y1 = std::min(y.last, frame.height - 1);
-  return Drop::kNone;
+  prim->x0 = std::max(x.first, frame.clip_x0());
+  prim->y0 = std::max(y.first, frame.clip_y0());
+  prim->x1 = std::min(x.last, frame.clip_x1() - 1);
+  prim->y1 = std::min(y.last, frame.clip_y1() - 1);
+  return prim->x0 > prim->x1 || prim->y0 > prim->y1 ? Drop::kOutside : Drop::kNone;
 }
 
 // Index of the topmost, then leftmost vertex: the anchor of the planes. Anchoring there makes the
@@ -63,15 +60,24 @@ size_t anchor(const Triangle& t) {
   return best;
 }
 
-// Edge u -> w at the sample (x, y), biased so that inside means >= 0, in steps of whole pixels.
-spec::EdgeFunction edge_function(const Contract& c, const Vertex& u, const Vertex& w, int64_t x,
-                                 int64_t y) {
+// E of the edge u -> w at (x, y), biased so that inside means >= 0.
+int64_t biased_edge(const Vertex& u, const Vertex& w, int64_t x, int64_t y) {
   const int64_t dx = int64_t{w.x} - u.x;
   const int64_t dy = int64_t{w.y} - u.y;
   const bool top_left = dy < 0 || (dy == 0 && dx > 0);
-  const int64_t e = -dy * (x - u.x) + dx * (y - u.y);
+  return -dy * (x - u.x) + dx * (y - u.y) - (top_left ? 0 : 1);
+}
+
+// The same in steps of whole pixels, and what that cuts off.
+spec::EdgeFunction edge_function(const Contract& c, const Vertex& u, const Vertex& w, int64_t x,
+                                 int64_t y) {
   // The bias comes before the shift: the other way round leaves holes on shared edges.
-  return {-dy, dx, (e - (top_left ? 0 : 1)) >> c.design.subpixel_bits};
+  return {int64_t{u.y} - w.y, int64_t{w.x} - u.x,
+          biased_edge(u, w, x, y) >> c.design.subpixel_bits};
+}
+int32_t edge_low(const Contract& c, const Vertex& u, const Vertex& w, int64_t x, int64_t y) {
+  return static_cast<int32_t>(biased_edge(u, w, x, y) &
+                              ((int64_t{1} << c.design.subpixel_bits) - 1));
 }
 
 // What the planes of one triangle share.
@@ -83,34 +89,99 @@ struct PlaneSetup {
   int64_t ref_y;
 };
 
+// gradient * area2 in units of 2^-(S + fraction of the values), in x and y.
+struct Numerators {
+  int128_t x;
+  int128_t y;
+};
+Numerators numerators(const PlaneSetup& s, const std::array<int64_t, 3>& value) {
+  const int64_t d1 = value[1] - value[0];
+  const int64_t d2 = value[2] - value[0];
+  return {int128_t{d1} * s.dy[1] - int128_t{d2} * s.dy[0],
+          int128_t{d2} * s.dx[0] - int128_t{d1} * s.dx[1]};
+}
+
+// numerator * 2^(S - fraction_bits) / area2 in units of 2^-f.
+int128_t gradient(const Contract& c, const Reciprocal& reciprocal, int128_t numerator,
+                  int fraction_bits, int f) {
+  const int shift =
+      c.design.reciprocal_bits + reciprocal.length - 1 - f - c.design.subpixel_bits + fraction_bits;
+  return round_half_up(numerator * reciprocal.mantissa, shift);
+}
+
 // Plane through (0, value[0]) at the anchor and the two other vertices; values have
 // `fraction_bits`, the plane has F and wraps at `bits`.
 Plane plane(const Contract& c, const PlaneSetup& s, const std::array<int64_t, 3>& value,
             int fraction_bits, int bits) {
   const int f = c.design.gradient_fraction_bits;
   const int subpixel_bits = c.design.subpixel_bits;
-  const int64_t d1 = value[1] - value[0];
-  const int64_t d2 = value[2] - value[0];
-  const int64_t numerator_x = d1 * s.dy[1] - d2 * s.dy[0];
-  const int64_t numerator_y = d2 * s.dx[0] - d1 * s.dx[1];
-  // gradient = numerator * 2^(S - fraction) / area2, in units of 2^-F.
-  const int shift =
-      c.design.reciprocal_bits + s.reciprocal.length - 1 - f - subpixel_bits + fraction_bits;
-  // The reference lies a fraction of a pixel from the anchor, so there the gradients need S more
-  // high bits before they wrap; steps of whole pixels need no more than the plane's own width.
-  const auto gradient = [&](int64_t numerator) {
-    return wrap(round_half_up(int128_t{numerator} * s.reciprocal.mantissa, shift),
-                bits + subpixel_bits);
-  };
-  const int64_t dx = gradient(numerator_x);
-  const int64_t dy = gradient(numerator_y);
-  const int128_t at_ref = (int128_t{value[0]} << (f - fraction_bits + subpixel_bits)) +
-                          int128_t{dx} * s.ref_x + int128_t{dy} * s.ref_y;
+  const Numerators n = numerators(s, value);
+  // Up to 92 bits, which wrap only in the end: with 32 bits of depth and 12 subpixel bits the
+  // reference has more than 64 before its low S ones are rounded away.
+  const int128_t dx = gradient(c, s.reciprocal, n.x, fraction_bits, f);
+  const int128_t dy = gradient(c, s.reciprocal, n.y, fraction_bits, f);
+  const int128_t at_ref =
+      (int128_t{value[0]} << (f - fraction_bits + subpixel_bits)) + dx * s.ref_x + dy * s.ref_y;
   Plane p;
   p.dx = wrap(dx, bits);
   p.dy = wrap(dy, bits);
   p.ref = wrap(round_half_up(at_ref, subpixel_bits), bits);
   return p;
+}
+
+// max(|dz/dx|, |dz/dy|) in units of 2^-8 codes/px, saturated.
+int128_t depth_magnitude(const Contract& c, const PlaneSetup& s, const std::array<int64_t, 3>& z) {
+  const Numerators n = numerators(s, z);
+  const int128_t limit = int128_t{1} << (c.width.bias_magnitude - 1);
+  const auto magnitude = [&](int128_t numerator) {
+    const int128_t g = gradient(c, s.reciprocal, numerator, spec::kDepthInputFractionBits,
+                                spec::kBiasFactorFractionBits);
+    return g < 0 ? std::min(-g, limit) : std::min(g, limit - 1);
+  };
+  return std::max(magnitude(n.x), magnitude(n.y));
+}
+
+// The bias of a triangle's depth, in units of 2^-16 codes.
+int64_t depth_bias(const Contract& c, const FrameState& frame, int128_t magnitude) {
+  const int128_t bias =
+      (int128_t{frame.bias_constant} << spec::kBiasFractionBits) + frame.bias_slope * magnitude;
+  const int128_t greatest = (int128_t{1} << (c.width.depth_bias - 1)) - 1;
+  return static_cast<int64_t>(std::clamp(bias, -greatest - 1, greatest));
+}
+
+// In canonical order.
+using Vertices = std::array<const Vertex*, 3>;
+using VertexAttributes = std::array<const spec::Attributes*, 3>;
+
+spec::PerspectiveSet perspective_set(const Contract& c, const Vertices& v,
+                                     const VertexAttributes& attr, int64_t x, int64_t y) {
+  spec::PerspectiveSet p;
+  for (size_t i = 0; i < 3; ++i) {
+    p.e_low[i] = edge_low(c, *v[i], *v[(i + 1) % 3], x, y);
+    p.inverse_w[i] = v[i]->inverse_w;
+    p.inverse_w_shift[i] = v[i]->inverse_w_shift;
+    std::copy_n(attr[i]->begin(), c.design.attributes, p.attr[i].begin());
+  }
+  return p;
+}
+
+// Planes of depth and of affine attributes.
+void make_planes(const Contract& c, const FrameState& frame, const Vertices& v,
+                 const VertexAttributes& attr, const PlaneSetup& s, spec::PlaneSet* set) {
+  if (c.design.depth_test) {
+    const std::array<int64_t, 3> z{v[0]->z, v[1]->z, v[2]->z};
+    set->z = plane(c, s, z, spec::kDepthInputFractionBits, c.width.depth_plane);
+    if (frame.has_bias() || c.design.hierarchical_z) {
+      const int128_t magnitude = depth_magnitude(c, s, z);
+      set->z_bias = depth_bias(c, frame, magnitude);
+      set->z_steep = c.design.hierarchical_z && magnitude >> steep_log2(c.design) != 0;
+    }
+  }
+  const size_t affine = c.design.perspective ? 0 : static_cast<size_t>(c.design.attributes);
+  for (size_t i = 0; i < affine; ++i) {
+    set->attr[i] =
+        plane(c, s, {(*attr[0])[i], (*attr[1])[i], (*attr[2])[i]}, 0, c.width.attr_plane);
+  }
 }
 
 }  // namespace
@@ -134,9 +205,8 @@ Drop setup(const Contract& c, const FrameState& frame, const Triangle& triangle,
   // Canonical order: the anchor first, then clockwise.
   const size_t first = anchor(triangle);
   const bool clockwise = area2 > 0;
-  const std::array<const Vertex*, 3> v{&triangle.v[first],
-                                       &triangle.v[(first + (clockwise ? 1 : 2)) % 3],
-                                       &triangle.v[(first + (clockwise ? 2 : 1)) % 3]};
+  const Vertices v{&triangle.v[first], &triangle.v[(first + (clockwise ? 1 : 2)) % 3],
+                   &triangle.v[(first + (clockwise ? 2 : 1)) % 3]};
   if (!clockwise) area2 = -area2;
 
   const int tile = c.design.tile_log2;
@@ -149,21 +219,25 @@ Drop setup(const Contract& c, const FrameState& frame, const Triangle& triangle,
     prim.edge[i] = edge_function(c, *v[i], *v[(i + 1) % 3], x, y);
   }
 
-  if (c.design.reciprocal_scheme == spec::ReciprocalScheme::kNone) {
+  // Of each vertex in canonical order, or of the one that gives its own to all.
+  const bool flat = frame.shade == spec::Shade::kFlat;
+  VertexAttributes attr;
+  for (size_t i = 0; i < 3; ++i) attr[i] = flat ? &triangle.v[0].attr : &v[i]->attr;
+  std::copy_n(triangle.v[0].attr.begin() + c.design.attributes, c.design.flat_attributes,
+              prim.planes.flat.begin());
+  if (c.design.perspective) prim.planes.perspective = perspective_set(c, v, attr, x, y);
+  if (c.design.reciprocal_scheme == spec::ReciprocalScheme::kNone ||
+      spec::plane_count(c.design) == 0) {
     *out = prim;
     return Drop::kNone;
   }
+
   const PlaneSetup planes{reciprocal(c, area2),
                           {int64_t{v[1]->x} - v[0]->x, int64_t{v[2]->x} - v[0]->x},
                           {int64_t{v[1]->y} - v[0]->y, int64_t{v[2]->y} - v[0]->y},
                           x - v[0]->x,
                           y - v[0]->y};
-  prim.planes.z = plane(c, planes, {v[0]->z, v[1]->z, v[2]->z}, spec::kDepthInputFractionBits,
-                        c.width.depth_plane);
-  for (size_t i = 0; i < static_cast<size_t>(c.design.attributes); ++i) {
-    prim.planes.attr[i] =
-        plane(c, planes, {v[0]->attr[i], v[1]->attr[i], v[2]->attr[i]}, 0, c.width.attr_plane);
-  }
+  make_planes(c, frame, v, attr, planes, &prim.planes);
   *out = prim;
   return Drop::kNone;
 }

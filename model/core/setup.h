@@ -12,7 +12,7 @@ enum class Drop : uint8_t {
   kZeroArea,  // area2 = 0 after snapping
   kFacing,    // culled by the frame's cull state; front = counter-clockwise on screen
   kNoSample,  // its box holds no pixel centre
-  kOutside,   // its box lies outside the frame
+  kOutside,   // its box lies outside the frame or the scissor
 };
 inline constexpr int kDropCauses = 5;
 
@@ -25,6 +25,9 @@ const char* drop_name(Drop drop);
 ///          positive area), edges and planes at the first sample of the box's first tile. A design
 ///          without a reciprocal has no planes here: see exact_planes.h.
 /// Drops    says why, and leaves *out as it was.
+///          Depth bias: constant + slope * max(|dz/dx|, |dz/dy|), the gradients rounded to 8
+///          fraction bits, halves up, before they wrap, and saturated; the bias saturates in turn.
+///          Flat shading gives vertex 0's attributes to all three.
 /// Errors   none: every intermediate fits by widths(), and what may wrap wraps by design.
 /// Twin     rtl/setup_unit.sv. Source: Pineda, SIGGRAPH 1988; Direct3D 11.3 spec 3.4.2.1
 /// (top-left).

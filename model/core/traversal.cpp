@@ -10,6 +10,14 @@ using spec::round_half_up;
 using spec::SetupPrim;
 using spec::wrap;
 
+namespace {
+
+size_t affine_attributes(const Contract& c) {
+  return c.design.perspective ? 0 : static_cast<size_t>(c.design.attributes);
+}
+
+}  // namespace
+
 bool clip_rows(const Contract& c, int first, int last, SetupPrim* prim) {
   const int log2 = c.design.tile_log2;
   const int from = prim->y0 >> log2;
@@ -22,7 +30,7 @@ bool clip_rows(const Contract& c, int first, int last, SetupPrim* prim) {
   for (auto& edge : prim->edge) edge.e += edge.b * rows;
   const auto down = [rows](Plane* p, int bits) { p->ref = wrap(p->ref + p->dy * rows, bits); };
   down(&prim->planes.z, c.width.depth_plane);
-  for (size_t i = 0; i < static_cast<size_t>(c.design.attributes); ++i) {
+  for (size_t i = 0; i < affine_attributes(c); ++i) {
     down(&prim->planes.attr[i], c.width.attr_plane);
   }
   return true;
@@ -82,14 +90,19 @@ void TileWalk::fill(Tile* tile) const {
                  wrap(round_half_up(p.ref, shift), bits)};
   };
   tile->planes.z = narrow(planes_.z, contract_.width.depth_tile_plane);
-  for (size_t i = 0; i < static_cast<size_t>(contract_.design.attributes); ++i) {
+  for (size_t i = 0; i < affine_attributes(contract_); ++i) {
     tile->planes.attr[i] = narrow(planes_.attr[i], contract_.width.attr_tile_plane);
   }
+  tile->planes.z_bias = planes_.z_bias;
+  tile->planes.z_steep = planes_.z_steep;
+  const auto flat = static_cast<size_t>(contract_.design.flat_attributes);
+  std::copy_n(planes_.flat.begin(), flat, tile->planes.flat.begin());
+  if (contract_.design.perspective) tile->planes.perspective = planes_.perspective;
 }
 
 void TileWalk::step() {
   const int log2 = contract_.design.tile_log2;
-  const auto attributes = static_cast<size_t>(contract_.design.attributes);
+  const size_t attributes = affine_attributes(contract_);
   const int z_bits = contract_.width.depth_plane;
   const int attr_bits = contract_.width.attr_plane;
   if (x_ < last_x_) {
@@ -123,6 +136,12 @@ StampWalk::StampWalk(const Contract& contract, const Tile& tile)
       last_y_(tile.y1 >> contract.design.stamp_height_log2),
       x_(first_x_),
       y_(tile.y0 >> contract.design.stamp_height_log2) {}
+
+void StampWalk::begin(spec::Stamp* stamp) const {
+  stamp->id = tile_.id;
+  stamp->planes = tile_.planes;
+  if (contract_.design.perspective) stamp->edge = tile_.edge;
+}
 
 int StampWalk::tests() const {
   const int first_y = tile_.y0 >> contract_.design.stamp_height_log2;

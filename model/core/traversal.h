@@ -46,6 +46,9 @@ class TileWalk {
 class StampWalk {
  public:
   StampWalk(const spec::Contract& contract, const Tile& tile);
+
+  /// Gives a stamp what all stamps of the tile share.
+  void begin(spec::Stamp* stamp) const;
   bool next(uint32_t* mask, int* x, int* y);  // x, y: column and row of the stamp in the frame
 
   /// Stamp tests in the whole tile: the cycles it takes.

@@ -35,10 +35,10 @@ int64_t first_centre_from(int64_t numerator, int64_t denominator, int subpixel_b
   return ceil_divide(numerator - half * denominator, denominator << subpixel_bits);
 }
 
-// The pixels in [first, end) that a frame of `size` pixels has.
-Span clip(int64_t first, int64_t end, int size) {
-  first = std::max<int64_t>(first, 0);
-  end = std::min<int64_t>(end, size);
+// The pixels in [first, end) that lie in [low, high).
+Span clip(int64_t first, int64_t end, int low, int high) {
+  first = std::max<int64_t>(first, low);
+  end = std::min<int64_t>(end, high);
   if (first >= end) return {};
   return {static_cast<int>(first), static_cast<int>(end - 1)};
 }
@@ -70,16 +70,20 @@ double difference(const std::array<int64_t, 3>& weights, int64_t area2,
 
 }  // namespace
 
-Judge::Judge(Triangle triangle, int subpixel_bits, int width, int height, Cull cull)
-    : v_(std::move(triangle)), subpixel_bits_(subpixel_bits), width_(width), height_(height) {
+Judge::Judge(Triangle triangle, int subpixel_bits, const Frame& frame)
+    : v_(std::move(triangle)), subpixel_bits_(subpixel_bits), frame_(frame) {
+  frame_.x0 = std::max(frame.x0, 0);
+  frame_.y0 = std::max(frame.y0, 0);
+  frame_.x1 = std::min(frame.x1, frame.width);
+  frame_.y1 = std::min(frame.y1, frame.height);
   if (subpixel_bits < 1 || subpixel_bits > 12) {
     throw std::out_of_range("exact: subpixel bits must be 1 to 12");
   }
   for (const Vertex& v : v_) check_vertex(v);
   area2_ = cross(v_[0], v_[1].x, v_[1].y, v_[2].x, v_[2].y);
   // Counter-clockwise on screen is front; a triangle without area is drawn by nobody.
-  culled_ =
-      area2_ == 0 || (cull == Cull::kFront && area2_ < 0) || (cull == Cull::kBack && area2_ > 0);
+  culled_ = area2_ == 0 || (frame.cull == Cull::kFront && area2_ < 0) ||
+            (frame.cull == Cull::kBack && area2_ > 0);
 }
 
 int64_t Judge::doubled_area() const { return area2_; }
@@ -96,7 +100,7 @@ bool Judge::covers(int x, int y) const {
 // counts and its bottom row does not; of the two crossings the left one counts and the right one
 // does not. No orientation enters, and no sign of an edge.
 Span Judge::span(int y) const {
-  if (culled_ || y < 0 || y >= height_) return {};
+  if (culled_ || y < frame_.y0 || y >= frame_.y1) return {};
   const int64_t row = centre(y, subpixel_bits_);
   int64_t first = INT64_MAX;
   int64_t end = INT64_MIN;
@@ -111,14 +115,14 @@ Span Judge::span(int y) const {
     first = std::min(first, pixel);
     end = std::max(end, pixel);
   }
-  return clip(first, end, width_);
+  return clip(first, end, frame_.x0, frame_.x1);
 }
 
 Span Judge::rows() const {
   if (culled_) return {};
   const auto [top, bottom] = std::minmax({v_[0].y, v_[1].y, v_[2].y});
   return clip(first_centre_from(top, 1, subpixel_bits_),
-              first_centre_from(bottom, 1, subpixel_bits_), height_);
+              first_centre_from(bottom, 1, subpixel_bits_), frame_.y0, frame_.y1);
 }
 
 int64_t Judge::samples() const {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace exact {
@@ -21,6 +22,22 @@ using Triangle = std::array<Vertex, 3>;
 
 enum class Cull { kNone, kBack, kFront };
 
+/// The frame and its raster state.
+struct Frame {
+  int width = 0;
+  int height = 0;
+  Cull cull = Cull::kNone;
+  // Columns [x0, x1) and rows [y0, y1) alone belong to it, as far as they lie in it.
+  int x0 = 0;
+  int y0 = 0;
+  int x1 = INT32_MAX;
+  int y1 = INT32_MAX;
+  bool flat = false;  // the first vertex gives the attributes of all samples
+  // Depth bias = constant + slope * max(|dz/dx|, |dz/dy|), with z in codes and x, y in px.
+  int64_t bias_constant = 0;  // codes, within 2^32
+  int bias_slope = 0;         // units of 2^-8, within 2^15
+};
+
 /// Pixels first..last of one row; empty when first > last.
 struct Span {
   int first = 0;
@@ -34,7 +51,10 @@ struct Span {
 /// Errors   std::out_of_range beyond that; std::domain_error where the sample lies outside.
 class Judge {
  public:
-  Judge(Triangle triangle, int subpixel_bits, int width, int height, Cull cull);
+  Judge(Triangle triangle, int subpixel_bits, int width, int height, Cull cull)
+      : Judge(std::move(triangle), subpixel_bits, Frame{width, height, cull}) {}
+  /// Of the frame's state what decides coverage: shading and depth bias belong to ScreenJudge.
+  Judge(Triangle triangle, int subpixel_bits, const Frame& frame);
 
   /// The triangle as it was given.
   const Triangle& vertices() const { return v_; }
@@ -63,8 +83,7 @@ class Judge {
  private:
   Triangle v_;
   int subpixel_bits_;
-  int width_;
-  int height_;
+  Frame frame_;
   int64_t area2_;
   bool culled_;
 };
@@ -89,12 +108,6 @@ struct Format {
   int attribute_bits = 8;  // up to 16
 };
 
-struct Frame {
-  int width = 0;
-  int height = 0;
-  Cull cull = Cull::kNone;
-};
-
 /// An exact value v >= 0 in codes: whole = floor(v) and nearest = floor(v + 1/2) are exact,
 /// fraction is v - whole to within 2^-53 and lies in [0, 1).
 struct Value {
@@ -108,8 +121,9 @@ struct Value {
   double error_of(int64_t value, int fraction_bits) const;
 };
 
-/// A covered sample: depth, and the attributes r, g, b, a interpolated linearly on the screen and
-/// with perspective correction. Those that the format leaves out are 0.
+/// A covered sample: depth with its bias, clamped to the codes there are; and the attributes r, g,
+/// b, a interpolated linearly on the screen and with perspective correction. Those that the format
+/// leaves out are 0.
 struct Sample {
   int x = 0;
   int y = 0;
@@ -124,8 +138,8 @@ struct Sample {
 ///          nearest. Values are interpolated between these snapped values at snapped positions; z
 ///          linearly on the screen; with perspective a = sum(E_i a_i/w_i) / sum(E_i/w_i), where w
 ///          is the binary32 w taken exactly and E_i is weights().
-/// Errors   std::out_of_range: a format beyond its range, a colour beyond 8 bits, w not a positive
-///          normal float.
+/// Errors   std::out_of_range: a format or a bias beyond its range, a colour beyond 8 bits, w not a
+///          positive normal float.
 /// Drops    a NaN in x, y, z or w of any vertex drops the triangle.
 class ScreenJudge {
  public:
@@ -135,8 +149,10 @@ class ScreenJudge {
   bool dropped() const { return dropped_; }
   /// Nothing is drawn: dropped, zero area after snapping, or culled by facing.
   bool culled() const { return snapped_.culled(); }
-  /// All w are equal, so that perspective and affine values are the same.
+  /// All w are equal, or shading is flat, so that perspective and affine values are the same.
   bool affine() const { return affine_; }
+  /// max(|dz/dx|, |dz/dy|) in codes a px, to within a few 2^-53 of itself; 0 without area.
+  double depth_slope() const;
   /// The judge of the snapped triangle; of one without area when dropped.
   const Judge& snapped() const { return snapped_; }
   /// As those of Judge.
@@ -147,7 +163,13 @@ class ScreenJudge {
   void row(int y, bool with_perspective, std::vector<Sample>* out) const;
 
  private:
+  /// Depth of a row with its bias.
+  void biased_row(const std::array<int64_t, 3>& at, const std::array<int64_t, 3>& next,
+                  Sample* first, Sample* last) const;
+
   Judge snapped_;
+  Format format_;
+  Frame frame_;
   bool dropped_;
   bool affine_ = true;
   size_t attributes_;  // of those that a Sample has

@@ -21,6 +21,8 @@ using Wide = boost::multiprecision::checked_int512_t;
 
 using Weights = std::array<int64_t, 3>;
 
+constexpr int64_t kGreatestBias = int64_t{1} << 32;
+
 void check_range(int value, int low, int high, const char* message) {
   if (value < low || value > high) throw std::out_of_range(message);
 }
@@ -32,6 +34,13 @@ void check(const Format& f) {
   check_range(f.depth_bits, 0, 32, "exact: depth bits must be 0 to 32");
   check_range(f.attributes, 0, 16, "exact: attributes must be 0 to 16");
   check_range(f.attribute_bits, 0, 16, "exact: attribute bits must be 0 to 16");
+}
+
+void check(const Frame& f) {
+  check_range(f.bias_slope, -(1 << 15), 1 << 15, "exact: a bias's slope must be within 2^15");
+  if (f.bias_constant < -kGreatestBias || f.bias_constant > kGreatestBias) {
+    throw std::out_of_range("exact: a bias's constant must be within 2^32");
+  }
 }
 
 bool has_nan(const ScreenTriangle& triangle) {
@@ -59,10 +68,24 @@ Vertex snap_vertex(const ScreenVertex& v, const Format& format) {
   return snapped;
 }
 
-Triangle snap_triangle(const ScreenTriangle& t, const Format& format) {
+Triangle snap_triangle(const ScreenTriangle& t, const Format& format, const Frame& frame) {
   check(format);
+  check(frame);
   if (has_nan(t)) return {};
-  return {snap_vertex(t[0], format), snap_vertex(t[1], format), snap_vertex(t[2], format)};
+  Triangle v{snap_vertex(t[0], format), snap_vertex(t[1], format), snap_vertex(t[2], format)};
+  if (frame.flat) v[1].attr = v[2].attr = v[0].attr;
+  return v;
+}
+
+// The greater numerator of a triangle's depth gradients, to divide by the doubled area: below 2^68,
+// in units of 2^-8 codes times subpixels.
+Int128 steepest(const Triangle& t) {
+  const auto magnitude = [&](int64_t Vertex::*along) {
+    const Int128 numerator = Int128{t[1].z - t[0].z} * (t[2].*along - t[0].*along) -
+                             Int128{t[2].z - t[0].z} * (t[1].*along - t[0].*along);
+    return numerator < 0 ? -numerator : numerator;
+  };
+  return std::max(magnitude(&Vertex::y), magnitude(&Vertex::x));
 }
 
 int bit_length(int64_t value) {
@@ -200,11 +223,12 @@ double Value::error_of(int64_t value, int fraction_bits) const {
 }
 
 ScreenJudge::ScreenJudge(const ScreenTriangle& triangle, const Format& format, const Frame& frame)
-    : snapped_(snap_triangle(triangle, format), format.subpixel_bits, frame.width, frame.height,
-               frame.cull),
+    : snapped_(snap_triangle(triangle, format, frame), format.subpixel_bits, frame),
+      format_(format),
+      frame_(frame),
       dropped_(has_nan(triangle)),
       attributes_(static_cast<size_t>(std::min(format.attributes, 4))) {
-  affine_ = triangle[0].w == triangle[1].w && triangle[1].w == triangle[2].w;
+  affine_ = frame.flat || (triangle[0].w == triangle[1].w && triangle[1].w == triangle[2].w);
   if (culled() || affine_) return;
   // Times w_0 w_1 w_2, 1/w_i becomes the product of the other two.
   std::array<OddFloat, 3> w{};
@@ -222,6 +246,30 @@ ScreenJudge::ScreenJudge(const ScreenTriangle& triangle, const Format& format, c
   narrow_ = area_bits + factor_bits + format.attribute_bits <= 126;
 }
 
+double ScreenJudge::depth_slope() const {
+  const int64_t area2 = std::abs(snapped_.doubled_area());
+  if (area2 == 0) return 0;
+  return std::ldexp(static_cast<double>(static_cast<long double>(steepest(snapped_.vertices())) /
+                                        static_cast<long double>(area2)),
+                    format_.subpixel_bits - 8);
+}
+
+// In units of 2^-16 codes over the area: below 2^102 each of depth, constant, slope and greatest
+// code, so that sums and steps fit into 128 bits.
+void ScreenJudge::biased_row(const Weights& at, const Weights& next, Sample* first,
+                             Sample* last) const {
+  const Triangle& t = snapped_.vertices();
+  const Int128 denominator = Int128{std::abs(snapped_.doubled_area())} << 16;
+  const Int128 greatest = ((Int128{1} << format_.depth_bits) - 1) * denominator;
+  Sum<Int128> numerator;
+  for (size_t i = 0; i < 3; ++i) numerator.add(at[i], next[i], Int128{t[i].z} << 8);
+  numerator.value += frame_.bias_constant * denominator;
+  numerator.value += frame_.bias_slope * (steepest(t) << format_.subpixel_bits);
+  for (Sample* s = first; s <= last; ++s, numerator.value += numerator.step) {
+    s->z = quotient(std::clamp(numerator.value, Int128{0}, greatest), denominator);
+  }
+}
+
 void ScreenJudge::row(int y, bool with_perspective, std::vector<Sample>* out) const {
   const Span span = snapped_.span(y);
   if (span.first > span.last) return;
@@ -235,12 +283,16 @@ void ScreenJudge::row(int y, bool with_perspective, std::vector<Sample>* out) co
   const Weights next = snapped_.weights(std::min(span.first + 1, span.last), y);
   const int64_t area2 = std::abs(snapped_.doubled_area());
 
-  Mean z(at, next, {t[0].z, t[1].z, t[2].z}, area2 << 8);
   int x = span.first;
-  for (Sample* s = first; s <= last; ++s, z.step()) {
+  for (Sample* s = first; s <= last; ++s) {
     s->x = x++;
     s->y = y;
-    s->z = z.value();
+  }
+  if (frame_.bias_constant != 0 || frame_.bias_slope != 0) {
+    biased_row(at, next, first, last);
+  } else {
+    Mean z(at, next, {t[0].z, t[1].z, t[2].z}, area2 << 8);
+    for (Sample* s = first; s <= last; ++s, z.step()) s->z = z.value();
   }
   for (size_t a = 0; a < attributes_; ++a) {
     Mean mean(at, next, {t[0].attr[a], t[1].attr[a], t[2].attr[a]}, area2);

@@ -20,4 +20,8 @@ std::vector<ScreenTriangle> single_triangle(int width, int height);
 /// sample is covered exactly once.
 std::vector<ScreenTriangle> jittered_grid(int width, int height);
 
+/// Eight such grids, each in a slice of the depth range of its own, neither from the front nor from
+/// the back: each sample is covered eight times.
+std::vector<ScreenTriangle> layered_grids(int width, int height);
+
 }  // namespace pineda::scene

@@ -7,7 +7,8 @@ namespace pineda::scene {
 const std::vector<HardCase>& hard_cases() {
   static const std::vector<HardCase> all = [] {
     std::vector<HardCase> cases;
-    for (const auto& part : {hard::coverage_cases(), hard::limit_cases(), hard::value_cases()}) {
+    for (const auto& part : {hard::coverage_cases(), hard::limit_cases(), hard::value_cases(),
+                             hard::perspective_cases(), hard::state_cases()}) {
       cases.insert(cases.end(), part.begin(), part.end());
     }
     return cases;

@@ -20,7 +20,8 @@ struct HardCase {
   std::vector<ScreenTriangle> (*make)();
 };
 
-/// All of them, in a fixed order: coverage, limits of the formats, values and order.
+/// All of them, in a fixed order: coverage, limits of the formats, values and order,
+/// perspective, raster state.
 const std::vector<HardCase>& hard_cases();
 
 /// The named case (without "hard/"), or nullptr.

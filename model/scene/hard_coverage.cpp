@@ -5,12 +5,7 @@
 #include "model/scene/hard_draw.h"
 
 namespace pineda::scene::hard {
-namespace {
 
-constexpr spec::FrameState kGridFrame = frame(64, 48);
-
-// A grid of quads that reaches over the frame, its corners moved by a fifth of the spacing and put
-// on multiples of `lattice`.
 std::vector<ScreenTriangle> grid(uint64_t seed, int spacing, int lattice) {
   Drawing d(seed);
   const int columns = kGridFrame.width * kPx / spacing + 4;
@@ -31,6 +26,9 @@ std::vector<ScreenTriangle> grid(uint64_t seed, int spacing, int lattice) {
   }
   return d.triangles();
 }
+
+namespace {
+
 std::vector<ScreenTriangle> shared_edges() { return grid(1, 1733, 1); }
 std::vector<ScreenTriangle> half_pixel_lattice() { return grid(2, 11 * kHalfPx, kHalfPx); }
 

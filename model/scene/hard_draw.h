@@ -101,9 +101,16 @@ inline constexpr spec::FrameState frame(int width, int height,
   return {width, height, spec::Cull::kNone, depth};
 }
 
+/// A grid of quads that reaches over a frame of kGridFrame's size, its corners moved by a fifth of
+/// the spacing and put on multiples of `lattice`; in any winding and vertex order.
+inline constexpr spec::FrameState kGridFrame = frame(64, 48);
+std::vector<ScreenTriangle> grid(uint64_t seed, int spacing, int lattice);
+
 /// The parts of the catalogue.
 std::vector<HardCase> coverage_cases();
 std::vector<HardCase> limit_cases();
 std::vector<HardCase> value_cases();
+std::vector<HardCase> perspective_cases();
+std::vector<HardCase> state_cases();
 
 }  // namespace pineda::scene::hard

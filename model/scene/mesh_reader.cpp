@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pineda::scene {
 namespace {
@@ -81,9 +82,24 @@ ScreenVertex MeshReader::project(const ClipVertex& vertex) const {
   v.x = static_cast<float>((p[0] / p[3] + 1) * (width_ / 2.0));
   v.y = static_cast<float>((1 - p[1] / p[3]) * (height_ / 2.0));
   v.z = static_cast<float>(std::max(0., p[2] / p[3]));  // a cut may end a rounding before near
-  v.w = static_cast<float>(p[3]);
   for (size_t i = 0; i < 4; ++i) v.rgba[i] = static_cast<uint8_t>(std::lround(vertex.rgba[i]));
   return v;
+}
+
+void MeshReader::set_w(const std::array<const ClipVertex*, 3>& corners,
+                       std::array<ScreenVertex, 3>* vertices) {
+  const auto w = [&](size_t i) { return corners[i]->position[3]; };
+  const double greatest = std::max({w(0), w(1), w(2)});
+  const double least = std::min({w(0), w(1), w(2)});
+  constexpr double kLow = std::numeric_limits<float>::min();
+  constexpr double kHigh = std::numeric_limits<float>::max();
+  // Only the ratios of the w's matter, so a power of two brings them into the range of floats. One
+  // that stays below it is 2^126 times nearer than another: the nearest float is as good.
+  int exponent = 0;
+  if (least < kLow || greatest > kHigh) std::frexp(greatest, &exponent);
+  for (size_t i = 0; i < 3; ++i) {
+    (*vertices)[i].w = static_cast<float>(std::max(kLow, std::ldexp(w(i), -exponent)));
+  }
 }
 
 bool MeshReader::read(ScreenTriangle* triangle, Counters* counters) {
@@ -91,8 +107,10 @@ bool MeshReader::read(ScreenTriangle* triangle, Counters* counters) {
   if (!has_piece && !next_polygon(counters)) return false;
   ++piece_;
   triangle->id = static_cast<uint32_t>(next_ - 1);
-  triangle->v = {project(polygon_.v[0]), project(polygon_.v[piece_]),
-                 project(polygon_.v[piece_ + 1])};
+  const std::array<const ClipVertex*, 3> corners{&polygon_.v[0], &polygon_.v[piece_],
+                                                 &polygon_.v[piece_ + 1]};
+  for (size_t i = 0; i < 3; ++i) triangle->v[i] = project(*corners[i]);
+  set_w(corners, &triangle->v);
   return true;
 }
 

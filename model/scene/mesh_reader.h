@@ -23,7 +23,9 @@ class MeshReader final : public ScreenReader {
 
  private:
   bool next_polygon(Counters* counters);
-  ScreenVertex project(const ClipVertex& vertex) const;
+  ScreenVertex project(const ClipVertex& vertex) const;  // all but w
+  static void set_w(const std::array<const ClipVertex*, 3>& corners,
+                    std::array<ScreenVertex, 3>* vertices);
 
   int width_, height_;
   ClipVolume volume_;

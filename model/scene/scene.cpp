@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -34,6 +35,10 @@ void refuse_frame_options(const std::string& name, const Options& options,
   refuse(name, options.size.has_value(), "size option", own);
   refuse(name, options.cull.has_value(), "cull option", own);
   refuse(name, options.depth.has_value(), "depth option", own);
+  refuse(name, options.scissor.has_value(), "scissor option", own);
+  refuse(name, options.depth_write.has_value(), "depth write option", own);
+  refuse(name, options.depth_bias.has_value(), "depth bias option", own);
+  refuse(name, options.shade.has_value(), "shade option", own);
 }
 
 void check_size(const spec::Contract& contract, const std::string& name, Size size) {
@@ -53,22 +58,38 @@ spec::FrameState frame_of(const spec::Contract& contract, const std::string& nam
   frame.height = size.height;
   frame.cull = options.cull.value_or(spec::Cull::kNone);
   frame.depth = options.depth.value_or(spec::DepthFunc::kLess);
+  if (const auto& s = options.scissor) set_scissor(s->x, s->y, s->width, s->height, &frame);
+  frame.depth_write = options.depth_write.value_or(true);
+  if (options.depth_bias) {
+    frame.bias_constant = options.depth_bias->constant;
+    frame.bias_slope = options.depth_bias->slope.units;
+  }
+  frame.shade = options.shade.value_or(spec::Shade::kSmooth);
   return frame;
 }
 
 Scene snapped(const spec::Contract& contract, const std::string& name,
-              const spec::FrameState& frame, std::unique_ptr<ScreenReader> reader) {
+              const spec::FrameState& frame, std::unique_ptr<ScreenReader> reader,
+              bool rounded_slope = false) {
   Scene scene;
   scene.name = name;
   scene.frame = frame;
-  scene.source = std::make_unique<SnappedSource>(contract, std::move(reader));
+  Counters start;
+  start.rounded_slope = rounded_slope ? 1 : 0;
+  scene.source = std::make_unique<SnappedSource>(contract, std::move(reader), start);
   return scene;
+}
+
+bool rounded_slope(const Options& options) {
+  return options.depth_bias && options.depth_bias->slope.rounded;
 }
 
 Scene open_tri(const spec::Contract& contract, const std::string& path) {
   auto reader = std::make_unique<TriReader>(contract, path, open_file(path));
   const auto frame = reader->frame();
-  return snapped(contract, std::filesystem::path(path).stem().string(), frame, std::move(reader));
+  const bool rounded = reader->rounded_slope();
+  return snapped(contract, std::filesystem::path(path).stem().string(), frame, std::move(reader),
+                 rounded);
 }
 
 Scene open_ptrb(const spec::Contract& contract, const std::string& path, const Options& options) {
@@ -110,7 +131,8 @@ Scene open_mesh(const spec::Contract& contract, const std::string& name, const M
   }
   return snapped(contract, std::filesystem::path(name).stem().string(), frame,
                  std::make_unique<MeshReader>(mesh, view, frame.width, frame.height,
-                                              contract.design.guard_bits));
+                                              contract.design.guard_bits),
+                 rounded_slope(options));
 }
 
 using MeshFileReader = Mesh (*)(const std::string& file, std::vector<std::string>* warnings);
@@ -145,7 +167,8 @@ Scene open_list(const spec::Contract& contract, const std::string& name, const O
                 Size fallback, std::vector<ScreenTriangle> (*make)(int width, int height)) {
   const auto frame = frame_of(contract, name, options, fallback);
   return snapped(contract, name, frame,
-                 std::make_unique<ListReader>(make(frame.width, frame.height)));
+                 std::make_unique<ListReader>(make(frame.width, frame.height)),
+                 rounded_slope(options));
 }
 
 Scene open_hard(const spec::Contract& contract, const std::string& name, const Options& options) {
@@ -173,6 +196,7 @@ Scene open_scene(const spec::Contract& contract, const std::string& name, const 
   if (name == "teapot") return open_teapot(contract, name, options);
   if (name == "triangle") return open_list(contract, name, options, {64, 64}, single_triangle);
   if (name == "grid") return open_list(contract, name, options, Size{}, jittered_grid);
+  if (name == "layers") return open_list(contract, name, options, Size{}, layered_grids);
   if (read_mesh != nullptr) return open_mesh_file(contract, name, options, read_mesh);
   if (ending == ".tri") {
     refuse_frame_options(name, options);
@@ -183,15 +207,17 @@ Scene open_scene(const spec::Contract& contract, const std::string& name, const 
     return open_ptrb(contract, name, options);
   }
   if (name.compare(0, kHard.size(), kHard) == 0) return open_hard(contract, name, options);
-  throw InputError(name,
-                   "expected a scene: a file .tri, .ptrb, .obj, .ply, .gltf or .glb, - for a .ptrb "
-                   "on standard input, or teapot, triangle, grid, hard/NAME (see pineda scenes)");
+  throw InputError(
+      name,
+      "expected a scene: a file .tri, .ptrb, .obj, .ply, .gltf or .glb, - for a .ptrb "
+      "on standard input, or teapot, triangle, grid, layers, hard/NAME (see pineda scenes)");
 }
 
 std::vector<BuiltIn> built_in_scenes() {
   std::vector<BuiltIn> scenes{{"teapot", "the Utah teapot: 32 bicubic patches", ""},
                               {"triangle", "one triangle, red, green and blue", ""},
-                              {"grid", "jittered triangles that reach over the frame", ""}};
+                              {"grid", "jittered triangles that reach over the frame", ""},
+                              {"layers", "eight such grids behind each other, out of order", ""}};
   for (const HardCase& hard_case : hard_cases()) {
     scenes.push_back(
         {std::string(kHard) + hard_case.name, hard_case.summary, hard_case.right_answer});
@@ -199,7 +225,32 @@ std::vector<BuiltIn> built_in_scenes() {
   return scenes;
 }
 
-std::vector<std::string> notes(const Counters& c) {
+namespace {
+
+// What the scene states and the design has no part for.
+void add_missing_parts(const spec::Design& d, const spec::FrameState& frame,
+                       std::vector<std::string>* lines) {
+  if (!d.depth_test && frame.depth != spec::DepthFunc::kOff) {
+    lines->push_back(fmt::format(
+        "design {} has no depth: what is drawn last is in front, and no depth is written", d.name));
+  }
+  const int drawn = std::min(spec::channels(d), 4);
+  const int smooth = std::min(d.attributes, 4);
+  if (drawn < 4) {
+    lines->push_back(fmt::format("design {} draws {} of the colour's 4 channels", d.name,
+                                 drawn == 0 ? "none" : "the first " + std::to_string(drawn)));
+  }
+  if (smooth < drawn && frame.shade == spec::Shade::kSmooth) {
+    lines->push_back(
+        fmt::format("design {} shades {}flat: a triangle has the colour of its first vertex",
+                    d.name, smooth == 0 ? "" : fmt::format("{} channels ", drawn - smooth)));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> notes(const spec::Design& design, const spec::FrameState& frame,
+                               const Counters& c) {
   std::vector<std::string> lines;
   const auto note = [&](uint64_t count, const char* text) {
     if (count > 0) lines.push_back(fmt::format("{} {}", count, text));
@@ -210,8 +261,20 @@ std::vector<std::string> notes(const Counters& c) {
   note(c.denormals, "denormal coordinates taken as 0");
   note(c.clipped, "triangles cut at the near plane or the guard band");
   note(c.clipped_away, "triangles behind the near plane or outside the guard band");
-  note(c.perspective, "vertices with W other than 1: this version interpolates colours affinely");
+  if (!design.perspective && design.attributes > 0 && frame.shade == spec::Shade::kSmooth) {
+    note(c.perspective, "vertices with W other than 1: this design interpolates colours affinely");
+  }
+  if (c.rounded_slope > 0) {
+    lines.push_back(fmt::format(
+        "the depth bias's slope factor is taken as {}, the nearest multiple of 1/256",
+        std::ldexp(static_cast<double>(frame.bias_slope), -spec::kBiasFactorFractionBits)));
+  }
+  add_missing_parts(design, frame, &lines);
   return lines;
+}
+
+std::vector<std::string> notes(const Scene& scene) {
+  return notes(scene.source->contract().design, scene.frame, scene.source->counters());
 }
 
 }  // namespace pineda::scene

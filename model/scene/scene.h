@@ -10,6 +10,7 @@
 #include "model/scene/camera.h"
 #include "model/scene/error.h"
 #include "model/scene/snap.h"
+#include "model/scene/state.h"
 
 namespace pineda::scene {
 
@@ -18,12 +19,24 @@ struct Size {
   int height = 480;
 };
 
+/// px; nothing is negative. It may reach beyond the frame.
+struct Scissor {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
 /// What a caller may ask for. Anything that the scene cannot honour is refused, never ignored.
 struct Options {
   // Meshes and built-in scenes; .tri, .ptrb and hard cases say these themselves
   std::optional<Size> size;  // default 640x480, `triangle` 64x64
   std::optional<spec::Cull> cull;
   std::optional<spec::DepthFunc> depth;
+  std::optional<Scissor> scissor;
+  std::optional<bool> depth_write;
+  std::optional<DepthBias> depth_bias;  // |constant| < 2^depth_bits
+  std::optional<spec::Shade> shade;
   std::optional<Camera> camera;  // meshes only; default: framing_view()
 
   std::optional<int> tessellate;  // `teapot` only: quads along a patch's side, default 10
@@ -39,7 +52,7 @@ struct Scene {
 };
 
 /// In       a path that ends in .tri, .ptrb, .obj, .ply, .gltf or .glb; "-" for a .ptrb on standard
-///          input; or teapot, triangle, grid or hard/NAME, as built_in_scenes() lists them.
+///          input; or teapot, triangle, grid, layers or hard/NAME, as built_in_scenes() lists them.
 /// Errors   InputError, one line, for everything that is wrong with the name, the options or the
 ///          file. A .tri line or a .ptrb vertex may be found wrong only by next().
 Scene open_scene(const spec::Contract& contract, const std::string& name, const Options& options);
@@ -52,7 +65,10 @@ struct BuiltIn {
 };
 std::vector<BuiltIn> built_in_scenes();
 
-/// The counters as sentences for a person, those that are zero left out.
-std::vector<std::string> notes(const Counters& counters);
+/// What was dropped, changed or is not drawn as the scene states it by this design, so far: one
+/// sentence each for a person.
+std::vector<std::string> notes(const spec::Design& design, const spec::FrameState& frame,
+                               const Counters& counters);
+std::vector<std::string> notes(const Scene& scene);
 
 }  // namespace pineda::scene

@@ -46,10 +46,31 @@ int64_t snap_depth(const spec::Contract& c, float z, Counters* counters) {
   std::memcpy(&bits, &z, sizeof bits);
   const int64_t mantissa = (bits & 0x7fffff) | 0x800000;
   const int shift = 150 - static_cast<int>(bits >> 23);
-  const int64_t product = ((mantissa << c.design.depth_bits) - mantissa)
-                          << spec::kDepthInputFractionBits;
-  // The product lies below 2^56, so from a shift of 58 on it rounds to 0.
-  return shift > 57 ? 0 : spec::round_half_up(product, shift);
+  // Below 2^64 at 32 bits, and a bit more while it is rounded.
+  const spec::int128_t product = spec::int128_t{(mantissa << c.design.depth_bits) - mantissa}
+                                 << spec::kDepthInputFractionBits;
+  return shift > 66 ? 0 : static_cast<int64_t>(spec::round_half_up(product, shift));
+}
+
+void set_inverse_w(const spec::Contract& c, const std::array<float, 3>& w,
+                   std::array<spec::Vertex, 3>* vertices) {
+  std::array<int, 3> exponent{};
+  for (size_t i = 0; i < 3; ++i) {
+    // w = m * 2^(e - 24) with 2^23 <= m < 2^24, so 1/w = 2^(23 + bits) / m * 2^(1 - e - bits), and
+    // the quotient lies in (2^(bits-1), 2^bits].
+    int e;
+    const auto m = static_cast<int64_t>(std::ldexp(std::frexp(w[i], &e), 24));
+    const int bits = c.design.inverse_w_bits;
+    int64_t quotient = ((int64_t{1} << (24 + bits)) + m) / (2 * m);
+    exponent[i] = -e;
+    if (quotient >> bits != 0) {  // a power of two, or one that rounds up to it
+      quotient >>= 1;
+      ++exponent[i];
+    }
+    (*vertices)[i].inverse_w = static_cast<int32_t>(quotient);
+  }
+  const int greatest = *std::max_element(exponent.begin(), exponent.end());
+  for (size_t i = 0; i < 3; ++i) (*vertices)[i].inverse_w_shift = greatest - exponent[i];
 }
 
 spec::Vertex SnappedSource::snap(const ScreenVertex& vertex) {
@@ -57,7 +78,7 @@ spec::Vertex SnappedSource::snap(const ScreenVertex& vertex) {
   snapped.x = snap_coordinate(contract_, vertex.x, &counters_);
   snapped.y = snap_coordinate(contract_, vertex.y, &counters_);
   snapped.z = snap_depth(contract_, vertex.z, &counters_);
-  const size_t count = std::min<size_t>(static_cast<size_t>(contract_.design.attributes), 4);
+  const size_t count = std::min<size_t>(static_cast<size_t>(spec::channels(contract_.design)), 4);
   const int32_t greatest = (1 << contract_.design.attribute_bits) - 1;
   for (size_t i = 0; i < count; ++i) {
     snapped.attr[i] = (2 * vertex.rgba[i] * greatest + 255) / 510;
@@ -73,6 +94,7 @@ bool SnappedSource::next(spec::Triangle* triangle) {
     }
     triangle->id = screen_.id;
     for (size_t i = 0; i < 3; ++i) triangle->v[i] = snap(screen_.v[i]);
+    set_inverse_w(contract_, {screen_.v[0].w, screen_.v[1].w, screen_.v[2].w}, &triangle->v);
     return true;
   }
   return false;
@@ -80,7 +102,7 @@ bool SnappedSource::next(spec::Triangle* triangle) {
 
 void SnappedSource::rewind() {
   reader_->rewind();
-  counters_ = {};
+  counters_ = start_;
 }
 
 }  // namespace pineda::scene

@@ -1,6 +1,7 @@
 // Snapping: screen triangles in binary32 become the fixed-point triangles that setup takes.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "model/scene/screen.h"
@@ -21,6 +22,14 @@ int32_t snap_coordinate(const spec::Contract& contract, float value_px, Counters
 /// Errors   none: z outside [0, 1] is clamped and counted; a denormal is 0 and counted.
 int64_t snap_depth(const spec::Contract& contract, float z, Counters* counters);
 
+/// 1/w of the three vertices of a triangle, in the form that Vertex has.
+///
+/// Bits     mantissas of inverse_w_bits, rounded half up from the exact quotient of the float; the
+///          greatest exponent of the three has shift 0.
+/// In       w positive, finite and normal.
+void set_inverse_w(const spec::Contract& contract, const std::array<float, 3>& w,
+                   std::array<spec::Vertex, 3>* vertices);
+
 /// Snaps the triangles of a reader.
 ///
 /// Bits     colours are exact at 8 bits; a design of n bits takes c*(2^n - 1)/255 to the nearest.
@@ -28,9 +37,14 @@ int64_t snap_depth(const spec::Contract& contract, float z, Counters* counters);
 /// Drops    triangles with a NaN in x, y, z or w: counted.
 class SnappedSource final : public TriangleSource {
  public:
-  SnappedSource(const spec::Contract& contract, std::unique_ptr<ScreenReader> reader)
-      : contract_(contract), reader_(std::move(reader)) {}
+  /// Counts from `start` on: what was found in the scene's state.
+  SnappedSource(const spec::Contract& contract, std::unique_ptr<ScreenReader> reader,
+                const Counters& start = {})
+      : contract_(contract), reader_(std::move(reader)), start_(start) {
+    counters_ = start_;
+  }
 
+  const spec::Contract& contract() const { return contract_; }
   bool next(spec::Triangle* triangle) override;
   void rewind() override;
 
@@ -42,6 +56,7 @@ class SnappedSource final : public TriangleSource {
 
   spec::Contract contract_;
   std::unique_ptr<ScreenReader> reader_;
+  Counters start_;
   ScreenTriangle screen_;
 };
 

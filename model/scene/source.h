@@ -10,14 +10,15 @@ namespace pineda::scene {
 /// Everything that was dropped, saturated, clamped or cut since the last rewind. Components are
 /// counted in the triangles that were not dropped.
 struct Counters {
-  uint64_t triangles = 0;     // read, those dropped below included
-  uint64_t nan_dropped = 0;   // triangles with a NaN in X, Y, Z or W; in a mesh also with an Inf
-  uint64_t saturated = 0;     // X, Y outside the guard band
-  uint64_t z_clamped = 0;     // Z outside [0, 1]
-  uint64_t denormals = 0;     // X, Y, Z that became 0
-  uint64_t clipped = 0;       // mesh triangles that the near plane or the guard band cut
-  uint64_t clipped_away = 0;  // mesh triangles of which nothing was left
-  uint64_t perspective = 0;   // vertices with W != 1, meshes left out; colours stay affine
+  uint64_t triangles = 0;      // read, those dropped below included
+  uint64_t nan_dropped = 0;    // triangles with a NaN in X, Y, Z or W; in a mesh also with an Inf
+  uint64_t saturated = 0;      // X, Y outside the guard band
+  uint64_t z_clamped = 0;      // Z outside [0, 1]
+  uint64_t denormals = 0;      // X, Y, Z that became 0
+  uint64_t clipped = 0;        // mesh triangles that the near plane or the guard band cut
+  uint64_t clipped_away = 0;   // mesh triangles of which nothing was left
+  uint64_t perspective = 0;    // vertices with W != 1, meshes left out
+  uint64_t rounded_slope = 0;  // 1: the depth bias's slope factor was no multiple of 2^-8
 };
 
 /// A pull stream of triangles.

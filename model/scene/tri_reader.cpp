@@ -3,36 +3,54 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
+
+#include "model/scene/state.h"
 
 namespace pineda::scene {
 namespace {
 
 constexpr const char* kFirstLine = "pineda-tri 1";
 
-bool one_of(std::string_view word, std::initializer_list<std::string_view> list) {
-  for (const auto candidate : list) {
-    if (word == candidate) return true;
-  }
-  return false;
-}
-
-void once(const LineReader& lines, bool* seen) {
-  if (std::exchange(*seen, true)) lines.fail("each state line once", lines.raw());
-}
-
 }  // namespace
+
+struct TriReader::StateLine {
+  const char* key;
+  const char* form;
+  size_t words;
+  void (TriReader::*read)();
+};
+
+const std::array<TriReader::StateLine, 7> TriReader::kStateLines{{
+    {"size", "size WIDTH HEIGHT", 3, &TriReader::read_size},
+    {"cull", "cull none|back|front", 2, &TriReader::read_word<spec::Cull, &spec::FrameState::cull>},
+    {"depth", "depth FUNCTION", 2,
+     &TriReader::read_word<spec::DepthFunc, &spec::FrameState::depth>},
+    {"scissor", "scissor X Y WIDTH HEIGHT", 5, &TriReader::read_scissor},
+    {"depthwrite", "depthwrite on|off", 2,
+     &TriReader::read_word<bool, &spec::FrameState::depth_write>},
+    {"depthbias", "depthbias CONSTANT SLOPE", 3, &TriReader::read_bias},
+    {"shade", "shade smooth|flat", 2, &TriReader::read_word<spec::Shade, &spec::FrameState::shade>},
+}};
+
+// Index in kStateLines; its size if there is none.
+size_t TriReader::find_state_line(const char* key) {
+  size_t i = 0;
+  while (i < kStateLines.size() && std::string_view(key) != kStateLines[i].key) ++i;
+  return i;
+}
 
 TriReader::TriReader(const spec::Contract& contract, const std::string& file,
                      std::unique_ptr<std::istream> stream)
-    : greatest_size_px_(1 << contract.design.guard_bits), lines_(file, std::move(stream)) {
+    : design_(contract.design), lines_(file, std::move(stream)) {
   read_state();
 }
 
 void TriReader::rewind() {
   lines_.rewind();
-  has_size_ = has_cull_ = has_depth_ = false;
+  seen_ = {};
   next_ = 0;
   read_state();
 }
@@ -43,51 +61,60 @@ void TriReader::read_state() {
     lines_.fail(fmt::format("the first line '{}'", kFirstLine), lines_.raw());
   }
   while ((at_vertex_ = lines_.next()) && !lines_.is("v")) state_line();
-  if (!has_size_) lines_.fail("a line 'size WIDTH HEIGHT' before the vertices", lines_.raw());
+  if (!seen_[find_state_line("size")]) {
+    lines_.fail("a line 'size WIDTH HEIGHT' before the vertices", lines_.raw());
+  }
 }
 
 void TriReader::state_line() {
-  const std::string_view key = lines_.words()[0];
-  if (key == "size") {
-    once(lines_, &has_size_);
-    lines_.expect_words(3, "size WIDTH HEIGHT");
-    frame_.width = lines_.integer(1, 1, greatest_size_px_, "a width");
-    frame_.height = lines_.integer(2, 1, greatest_size_px_, "a height");
-  } else if (key == "cull") {
-    once(lines_, &has_cull_);
-    lines_.expect_words(2, "cull none|back|front");
-    const std::string_view value = lines_.words()[1];
-    if (!one_of(value, {"none", "back", "front"})) {
-      lines_.fail("cull none, back or front", lines_.raw());
-    }
-    frame_.cull = value == "none"   ? spec::Cull::kNone
-                  : value == "back" ? spec::Cull::kBack
-                                    : spec::Cull::kFront;
-  } else if (key == "depth") {
-    once(lines_, &has_depth_);
-    lines_.expect_words(2, "depth less|lequal|off");
-    const std::string_view value = lines_.words()[1];
-    if (one_of(value, {"never", "equal", "greater", "notequal", "gequal", "always"})) {
-      lines_.fail("depth less, lequal or off: this version does not support the others",
-                  lines_.raw());
-    }
-    if (!one_of(value, {"less", "lequal", "off"})) {
-      lines_.fail("depth less, lequal or off", lines_.raw());
-    }
-    frame_.depth = value == "less"     ? spec::DepthFunc::kLess
-                   : value == "lequal" ? spec::DepthFunc::kLequal
-                                       : spec::DepthFunc::kOff;
-  } else if (one_of(key, {"scissor", "depthwrite", "depthbias", "shade"})) {
-    lines_.fail(fmt::format("no '{}' line: this version does not support it", key), lines_.raw());
-  } else {
-    lines_.fail("size, cull, depth or v", lines_.raw());
+  const size_t i = find_state_line(lines_.words()[0]);
+  if (i == kStateLines.size()) {
+    std::string known;
+    for (const StateLine& line : kStateLines) known += fmt::format("{}, ", line.key);
+    lines_.fail(known + "or v", lines_.raw());
   }
+  if (std::exchange(seen_[i], true)) lines_.fail("each state line once", lines_.raw());
+  lines_.expect_words(kStateLines[i].words, kStateLines[i].form);
+  (this->*kStateLines[i].read)();
+}
+
+void TriReader::read_size() {
+  const int greatest_px = 1 << design_.guard_bits;
+  frame_.width = lines_.integer(1, 1, greatest_px, "a width");
+  frame_.height = lines_.integer(2, 1, greatest_px, "a height");
+}
+
+void TriReader::read_scissor() {
+  constexpr int kGreatest = std::numeric_limits<int>::max();
+  const int x = lines_.integer(1, 0, kGreatest, "a column");
+  const int y = lines_.integer(2, 0, kGreatest, "a row");
+  const int width = lines_.integer(3, 0, kGreatest, "a width");
+  const int height = lines_.integer(4, 0, kGreatest, "a height");
+  set_scissor(x, y, width, height, &frame_);
+}
+
+void TriReader::read_bias() {
+  const auto constant = parse_bias_constant(lines_.words()[1], design_.depth_bits);
+  if (!constant) lines_.fail(expected_bias_constant(design_.depth_bits), lines_.words()[1]);
+  const auto slope = parse_bias_slope(lines_.words()[2]);
+  if (!slope) lines_.fail(kExpectedBiasSlope, lines_.words()[2]);
+  frame_.bias_constant = *constant;
+  frame_.bias_slope = slope->units;
+  rounded_slope_ = slope->rounded;
+}
+
+template <class T, T spec::FrameState::*kMember>
+void TriReader::read_word() {
+  const auto value = named<T>(lines_.words()[1]);
+  if (!value) {
+    lines_.fail(fmt::format("{} {}", lines_.words()[0], alternatives(words_of<T>())), lines_.raw());
+  }
+  frame_.*kMember = *value;
 }
 
 ScreenVertex TriReader::vertex(Counters* counters) const {
   if (!lines_.is("v")) {
-    if (one_of(lines_.words()[0],
-               {"size", "cull", "depth", "scissor", "depthwrite", "depthbias", "shade"})) {
+    if (find_state_line(lines_.words()[0]) != kStateLines.size()) {
       lines_.fail("state lines before the first v", lines_.raw());
     }
     lines_.fail("a vertex 'v X Y Z W R G B A'", lines_.raw());

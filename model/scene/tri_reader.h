@@ -1,6 +1,8 @@
 // Reader of .tri: triangles after the viewport transform, as text.
 #pragma once
 
+#include <array>
+
 #include "model/scene/lines.h"
 #include "model/scene/screen.h"
 
@@ -10,27 +12,39 @@ namespace pineda::scene {
 ///
 /// In       the format "pineda-tri 1". CR LF line ends are taken like LF.
 /// Errors   InputError with the line: in the constructor for the state lines, in read() for the
-///          vertices. State lines that this version does not know how to draw are refused.
+///          vertices.
 class TriReader final : public ScreenReader {
  public:
   TriReader(const spec::Contract& contract, const std::string& file,
             std::unique_ptr<std::istream> stream);
 
   const spec::FrameState& frame() const { return frame_; }
+  /// The slope factor of the depth bias is no multiple of 2^-8: frame() has the nearest one.
+  bool rounded_slope() const { return rounded_slope_; }
   bool read(ScreenTriangle* triangle, Counters* counters) override;
   void rewind() override;
 
  private:
+  struct StateLine;
+  static const std::array<StateLine, 7> kStateLines;
+  static size_t find_state_line(const char* key);
+
   void read_state();
   void state_line();
+  void read_size();
+  void read_scissor();
+  void read_bias();
+  template <class T, T spec::FrameState::*kMember>
+  void read_word();
   ScreenVertex vertex(Counters* counters) const;
 
-  int greatest_size_px_;
+  spec::Design design_;
   LineReader lines_;
   spec::FrameState frame_;
-  bool has_size_ = false, has_cull_ = false, has_depth_ = false;
-  bool at_vertex_ = false;  // lines_ stands on a vertex that was not taken yet
-  uint64_t next_ = 0;       // number of the next triangle
+  bool rounded_slope_ = false;
+  std::array<bool, 7> seen_{};  // of kStateLines
+  bool at_vertex_ = false;      // lines_ stands on a vertex that was not taken yet
+  uint64_t next_ = 0;           // number of the next triangle
 };
 
 }  // namespace pineda::scene

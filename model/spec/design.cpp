@@ -36,6 +36,49 @@ constexpr Design exact() {
   return d;
 }
 
+constexpr Design persp() {
+  Design d;
+  d.name = "persp";
+  d.summary = "high_tile with perspective-correct attributes";
+  d.perspective = true;
+  return d;
+}
+
+constexpr Design flat() {
+  Design d;
+  d.name = "flat";
+  d.summary = "high_tile without depth and interpolation: a colour a triangle";
+  d.depth_test = false;
+  d.attributes = 0;
+  d.flat_attributes = 4;
+  return d;
+}
+
+constexpr Design wide() {
+  Design d;
+  d.name = "wide";
+  d.summary = "high_tile with 4x4 stamps and a triangle a cycle";
+  d.setup_style = SetupStyle::kPipelined;
+  d.stamp_width_log2 = d.stamp_height_log2 = 2;
+  return d;
+}
+
+// Bounds of one code at frames of up to 1024 px: see error_bounds().
+constexpr Design tiny() {
+  Design d = point("tiny", "the smallest that is right for 640x480: one multiplier, 16-bit depth",
+                   9, 1, 23, 13);
+  d.subpixel_bits = 4;
+  d.guard_bits = 10;
+  d.depth_bits = 16;
+  d.setup_style = SetupStyle::kSerial;
+  d.tile_fraction_bits = 7;
+  d.stamp_width_log2 = d.stamp_height_log2 = 0;
+  d.prim_fifo_depth = d.stamp_fifo_depth = 2;
+  d.tile_fifo_depth = 1;
+  d.max_depth_latency_cycles = 16;
+  return d;
+}
+
 }  // namespace
 
 const std::vector<Design>& designs() {
@@ -47,6 +90,10 @@ const std::vector<Design>& designs() {
       kHighTile,
       point("high_plus", "two Newton steps, 32 bits", 8, 2, 32, 20),
       div28(),
+      persp(),
+      flat(),
+      wide(),
+      tiny(),
       exact(),
   };
   return all;
@@ -56,6 +103,11 @@ const char* reciprocal_scheme_name(ReciprocalScheme scheme) {
   static constexpr const char* kNames[] = {"newton", "quadratic", "restoring2", "restoring4",
                                            "none"};
   return kNames[static_cast<int>(scheme)];
+}
+
+const char* setup_style_name(SetupStyle style) {
+  static constexpr const char* kNames[] = {"stepped", "pipelined", "serial"};
+  return kNames[static_cast<int>(style)];
 }
 
 const Design* find_design(const std::string& name) {
@@ -73,15 +125,18 @@ std::string invalid_reason(const Design& d) {
   };
   const bool newton = d.reciprocal_scheme == ReciprocalScheme::kNewton;
   const bool has_rom = newton || d.reciprocal_scheme == ReciprocalScheme::kQuadratic;
-  const bool has_planes = d.reciprocal_scheme != ReciprocalScheme::kNone;
+  const bool has_planes = has_reciprocal(d);
   const auto outside_if = [&](bool used, const char* what, int value, int low, int high) {
     return used ? outside(what, value, low, high) : std::string();
   };
   for (const auto& reason :
        {outside("subpixel_bits", d.subpixel_bits, 4, 12),
-        outside("guard_bits", d.guard_bits, 4, 14), outside("depth_bits", d.depth_bits, 16, 24),
-        outside("attributes", d.attributes, 1, kMaxAttributes),
+        outside("guard_bits", d.guard_bits, 4, 14),
+        outside_if(d.depth_test, "depth_bits", d.depth_bits, 16, 32),
+        outside("attributes", d.attributes, 0, kMaxAttributes),
+        outside("flat_attributes", d.flat_attributes, 0, kMaxAttributes - d.attributes),
         outside("attribute_bits", d.attribute_bits, 1, 16),
+        outside_if(d.perspective, "inverse_w_bits", d.inverse_w_bits, 8, 24),
         outside_if(has_rom, "reciprocal_lut_bits", d.reciprocal_lut_bits, 4, 12),
         outside_if(newton, "reciprocal_newton_steps", d.reciprocal_newton_steps, 0, 2),
         outside_if(has_planes, "reciprocal_bits", d.reciprocal_bits, 12, 32),
@@ -89,6 +144,10 @@ std::string invalid_reason(const Design& d) {
         outside_if(has_planes, "tile_fraction_bits", d.tile_fraction_bits, 1,
                    d.gradient_fraction_bits),
         outside("tile_log2", d.tile_log2, 2, std::min(6, d.guard_bits - 1)),
+        outside_if(d.hierarchical_z, "hierarchical_z_bits", d.hierarchical_z_bits, 4, 16),
+        outside_if(d.hierarchical_z, "hierarchical_z_tiles", d.hierarchical_z_tiles, 1, 1 << 20),
+        outside_if(d.hierarchical_z, "hierarchical_z_delay_cycles", d.hierarchical_z_delay_cycles,
+                   1, 64),
         outside("prim_fifo_depth", d.prim_fifo_depth, 1, 1024),
         outside("tile_fifo_depth", d.tile_fifo_depth, 1, 1024),
         outside("stamp_fifo_depth", d.stamp_fifo_depth, 1, 1024),
@@ -96,6 +155,18 @@ std::string invalid_reason(const Design& d) {
         outside("stamp_height_log2", d.stamp_height_log2, 0, 2),
         outside("depth_latency_cycles", d.depth_latency_cycles, 1, d.max_depth_latency_cycles)}) {
     if (!reason.empty()) return reason;
+  }
+  if (d.hierarchical_z && (!d.depth_test || !has_planes)) {
+    return "hierarchical_z needs depth_test, and planes of depth";
+  }
+  if (d.perspective && d.attributes == 0) {
+    return "perspective needs attributes that are interpolated";
+  }
+  // A weight a cycle and lane, or the planes of a triangle a cycle.
+  if (has_planes && !has_rom && (d.perspective || d.setup_style == SetupStyle::kPipelined)) {
+    return fmt::format("{} needs reciprocal_scheme newton or quadratic: {} takes many cycles",
+                       d.perspective ? "perspective" : "setup_style pipelined",
+                       reciprocal_scheme_name(d.reciprocal_scheme));
   }
   // The gradient's shift (k + bit_length(area2) - 1 - F - S for an attribute) must not be negative.
   if (has_planes && d.reciprocal_bits < d.gradient_fraction_bits + d.subpixel_bits) {

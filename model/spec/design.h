@@ -18,6 +18,16 @@ enum class ReciprocalScheme {
 /// "newton", "quadratic", "restoring2", "restoring4", "none".
 const char* reciprocal_scheme_name(ReciprocalScheme scheme);
 
+/// How many triangles share a multiplier in setup.
+enum class SetupStyle {
+  kStepped,    // two multipliers for the edges, a pipeline for the planes: some ten cycles
+  kPipelined,  // every product has its own multiplier: a triangle a cycle
+  kSerial,     // one multiplier for every product of a triangle
+};
+
+/// "stepped", "pipelined", "serial".
+const char* setup_style_name(SetupStyle style);
+
 /// Parameters of one rasterizer. widths() derives every width from them; see widths.h.
 /// A plain aggregate: named designs are constexpr, others can be read from a file.
 struct Design {
@@ -28,16 +38,24 @@ struct Design {
   int subpixel_bits = 8;  // S: x, y are multiples of 2^-S px
   int guard_bits = 14;    // vertices lie in [-2^guard_bits, 2^guard_bits) px
 
-  // What is interpolated
+  // What is interpolated. Attributes are r, g, b, a and what follows: first those interpolated,
+  // then those that a triangle's first vertex gives to all of its samples.
+  bool depth_test = true;  // off: no depth at all
   int depth_bits = 24;
-  int attributes = 4;  // r, g, b, a
+  int attributes = 4;       // interpolated
+  int flat_attributes = 0;  // constant over a triangle
   int attribute_bits = 8;
+  bool perspective = false;  // interpolated attributes are corrected by 1/w
+  int inverse_w_bits = 20;   // mantissa of 1/w at a vertex
 
   // Reciprocal of the doubled area
   ReciprocalScheme reciprocal_scheme = ReciprocalScheme::kNewton;
   int reciprocal_lut_bits = 7;      // newton, quadratic
   int reciprocal_newton_steps = 2;  // newton
   int reciprocal_bits = 30;         // k
+
+  // Setup
+  SetupStyle setup_style = SetupStyle::kStepped;
 
   // Planes
   int gradient_fraction_bits = 18;  // F: gradients, references, steps from tile to tile
@@ -48,6 +66,13 @@ struct Design {
   int stamp_width_log2 = 1;
   int stamp_height_log2 = 1;
 
+  // Hierarchical z: a tile that lies behind everything stored there is not walked
+  bool hierarchical_z = false;
+  int hierarchical_z_bits = 12;      // of a depth, the top ones
+  int hierarchical_z_tiles = 32768;  // of a frame, row by row, the first ones
+  int hierarchical_z_delay_cycles =
+      4;  // from a depth write accepted to the first test that sees it
+
   // Buffers
   int prim_fifo_depth = 4;            // setup -> traversal
   int tile_fifo_depth = 2;            // inside traversal: tile test -> stamps
@@ -57,6 +82,19 @@ struct Design {
 };
 
 inline constexpr Design kHighTile{};
+
+/// Values that setup makes planes of: depth and affine attributes.
+constexpr int plane_count(const Design& d) {
+  return (d.depth_test ? 1 : 0) + (d.perspective ? 0 : d.attributes);
+}
+
+/// Planes need the reciprocal of the doubled area, weights that of the sum of the products.
+constexpr bool has_reciprocal(const Design& d) {
+  return d.reciprocal_scheme != ReciprocalScheme::kNone && (plane_count(d) > 0 || d.perspective);
+}
+
+/// Values written for a sample: interpolated attributes, then flat ones.
+constexpr int channels(const Design& d) { return d.attributes + d.flat_attributes; }
 
 /// The design points this build knows by name.
 const std::vector<Design>& designs();

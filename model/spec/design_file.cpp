@@ -26,7 +26,9 @@ constexpr Key kKeys[] = {
     {"guard_bits", &Design::guard_bits},
     {"depth_bits", &Design::depth_bits},
     {"attributes", &Design::attributes},
+    {"flat_attributes", &Design::flat_attributes},
     {"attribute_bits", &Design::attribute_bits},
+    {"inverse_w_bits", &Design::inverse_w_bits},
     {"reciprocal_lut_bits", &Design::reciprocal_lut_bits},
     {"reciprocal_newton_steps", &Design::reciprocal_newton_steps},
     {"reciprocal_bits", &Design::reciprocal_bits},
@@ -35,6 +37,9 @@ constexpr Key kKeys[] = {
     {"tile_px", &Design::tile_log2, true},
     {"stamp_width_px", &Design::stamp_width_log2, true},
     {"stamp_height_px", &Design::stamp_height_log2, true},
+    {"hierarchical_z_bits", &Design::hierarchical_z_bits},
+    {"hierarchical_z_tiles", &Design::hierarchical_z_tiles},
+    {"hierarchical_z_delay_cycles", &Design::hierarchical_z_delay_cycles},
     {"prim_fifo_depth", &Design::prim_fifo_depth},
     {"tile_fifo_depth", &Design::tile_fifo_depth},
     {"stamp_fifo_depth", &Design::stamp_fifo_depth},
@@ -45,6 +50,18 @@ constexpr Key kKeys[] = {
 constexpr ReciprocalScheme kSchemes[] = {ReciprocalScheme::kNewton, ReciprocalScheme::kQuadratic,
                                          ReciprocalScheme::kRestoring2,
                                          ReciprocalScheme::kRestoring4, ReciprocalScheme::kNone};
+
+struct Switch {
+  const char* name;
+  bool Design::*parameter;
+};
+
+constexpr Switch kSwitches[] = {{"depth_test", &Design::depth_test},
+                                {"perspective", &Design::perspective},
+                                {"hierarchical_z", &Design::hierarchical_z}};
+
+constexpr SetupStyle kStyles[] = {SetupStyle::kStepped, SetupStyle::kPipelined,
+                                  SetupStyle::kSerial};
 
 /// Names of designs that were read: a Design only points to its own.
 const char* kept(const std::string& text) {
@@ -76,15 +93,17 @@ int number_of(const std::string& path, const toml::node& node, const Key& key) {
   return ceil_log2(value);
 }
 
-ReciprocalScheme scheme_of(const std::string& path, const toml::node& node) {
-  const std::string name = text_of(path, node, "reciprocal_scheme");
+/// The one of `all` that the text names.
+template <class Choice, size_t Count>
+Choice choice_of(const std::string& path, const toml::node& node, const char* key,
+                 const Choice (&all)[Count], const char* (*name_of)(Choice)) {
+  const std::string name = text_of(path, node, key);
   std::string known;
-  for (const ReciprocalScheme scheme : kSchemes) {
-    if (name == reciprocal_scheme_name(scheme)) return scheme;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", reciprocal_scheme_name(scheme));
+  for (const Choice choice : all) {
+    if (name == name_of(choice)) return choice;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", name_of(choice));
   }
-  refuse(path, node.source(),
-         fmt::format("reciprocal_scheme to be one of {}, got {}", known, name));
+  refuse(path, node.source(), fmt::format("{} to be one of {}, got {}", key, known, name));
 }
 
 Design base_of(const std::string& path, const toml::table& table) {
@@ -99,7 +118,18 @@ Design base_of(const std::string& path, const toml::table& table) {
 void set(const std::string& path, const std::string& name, const toml::node& node, Design* d) {
   if (name == "base" || name == "name" || name == "summary") return;
   if (name == "reciprocal_scheme") {
-    d->reciprocal_scheme = scheme_of(path, node);
+    d->reciprocal_scheme = choice_of(path, node, name.c_str(), kSchemes, reciprocal_scheme_name);
+    return;
+  }
+  if (name == "setup_style") {
+    d->setup_style = choice_of(path, node, name.c_str(), kStyles, setup_style_name);
+    return;
+  }
+  for (const Switch& key : kSwitches) {
+    if (name != key.name) continue;
+    const auto value = node.value_exact<bool>();
+    if (!value) refuse(path, node.source(), fmt::format("{} to be true or false", key.name));
+    d->*key.parameter = *value;
     return;
   }
   for (const Key& key : kKeys) {
@@ -157,17 +187,43 @@ Design read_design(const std::string& path) {
   return parse_design(text.str(), path);
 }
 
-std::string design_toml(const Design& d) {
-  std::ostringstream text;
-  text << toml::table{{"name", d.name},
-                      {"summary", d.summary},
-                      {"reciprocal_scheme", reciprocal_scheme_name(d.reciprocal_scheme)}}
-       << '\n';
+namespace {
+
+std::string quoted(const char* text) { return (std::ostringstream() << toml::value(text)).str(); }
+
+std::string head(const Design& d) {
+  return fmt::format("name = {}\nsummary = {}\n", quoted(d.name), quoted(d.summary));
+}
+
+}  // namespace
+
+std::vector<Parameter> parameters(const Design& d) {
+  std::vector<Parameter> all{
+      {"reciprocal_scheme", quoted(reciprocal_scheme_name(d.reciprocal_scheme))},
+      {"setup_style", quoted(setup_style_name(d.setup_style))}};
+  for (const Switch& key : kSwitches)
+    all.push_back({key.name, d.*key.parameter ? "true" : "false"});
   for (const Key& key : kKeys) {
     const int value = key.is_log2 ? 1 << d.*key.parameter : d.*key.parameter;
-    text << fmt::format("{} = {}\n", key.name, value);
+    all.push_back({key.name, std::to_string(value)});
   }
-  return text.str();
+  return all;
+}
+
+std::string design_toml(const Design& d) {
+  std::string text = head(d);
+  for (const auto& p : parameters(d)) text += fmt::format("{} = {}\n", p.name, p.value);
+  return text;
+}
+
+std::string design_toml(const Design& d, const Design& base) {
+  std::string text = fmt::format("base = {}\n", quoted(base.name)) + head(d);
+  const auto of_base = parameters(base);
+  size_t i = 0;
+  for (const auto& p : parameters(d)) {
+    if (p.value != of_base[i++].value) text += fmt::format("{} = {}\n", p.name, p.value);
+  }
+  return text;
 }
 
 }  // namespace pineda::spec

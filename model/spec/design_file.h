@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "model/spec/design.h"
 
@@ -25,7 +26,19 @@ Design read_design(const std::string& path);
 /// The same from text; `path` is what errors name.
 Design parse_design(const std::string& text, const std::string& path);
 
+/// A parameter by the name and with the value that a design file has.
+struct Parameter {
+  std::string name;
+  std::string value;
+};
+
+/// Every parameter of a design, in the order of such a file.
+std::vector<Parameter> parameters(const Design& design);
+
 /// The design as such a file, every parameter stated.
 std::string design_toml(const Design& design);
+
+/// The same with what differs from a named design alone.
+std::string design_toml(const Design& design, const Design& base);
 
 }  // namespace pineda::spec

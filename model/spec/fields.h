@@ -46,6 +46,8 @@ std::vector<Field<DepthRead>> fields(const Contract&);
 template <>
 std::vector<Field<DepthData>> fields(const Contract&);
 template <>
+std::vector<Field<DepthMax>> fields(const Contract&);
+template <>
 std::vector<Field<DepthWrite>> fields(const Contract&);
 template <>
 std::vector<Field<ColorWrite>> fields(const Contract&);
@@ -79,6 +81,10 @@ inline const char* struct_name<DepthData>() {
   return "depth_data";
 }
 template <>
+inline const char* struct_name<DepthMax>() {
+  return "depth_max";
+}
+template <>
 inline const char* struct_name<DepthWrite>() {
   return "depth_write";
 }
@@ -106,9 +112,12 @@ void for_each_struct(const Contract& c, Visitor&& visit) {
   visit(fields<SetupPrim>(c), struct_name<SetupPrim>());
   visit(fields<Tile>(c), struct_name<Tile>());
   visit(fields<Stamp>(c), struct_name<Stamp>());
-  visit(fields<DepthRead>(c), struct_name<DepthRead>());
-  visit(fields<DepthData>(c), struct_name<DepthData>());
-  visit(fields<DepthWrite>(c), struct_name<DepthWrite>());
+  if (c.design.depth_test) {
+    visit(fields<DepthRead>(c), struct_name<DepthRead>());
+    visit(fields<DepthData>(c), struct_name<DepthData>());
+    visit(fields<DepthWrite>(c), struct_name<DepthWrite>());
+  }
+  if (c.design.hierarchical_z) visit(fields<DepthMax>(c), struct_name<DepthMax>());
   visit(fields<ColorWrite>(c), struct_name<ColorWrite>());
 }
 

@@ -16,10 +16,75 @@ struct Constant {
   const char* meaning;
 };
 
-std::vector<Constant> constants(const Contract& c) {
+using Constants = std::vector<Constant>;
+
+void append(const Constants& more, Constants* all) {
+  all->insert(all->end(), more.begin(), more.end());
+}
+
+Constants depth_constants(const Contract& c) {
   const Design& d = c.design;
   const Widths& w = c.width;
+  if (!d.depth_test) return {};
   return {
+      {"DEPTH_BITS", d.depth_bits, "a depth code"},
+      {"DEPTH_INPUT_FRACTION_BITS", kDepthInputFractionBits, "fraction of a vertex's z"},
+      {"DEPTH_IN_BITS", w.depth_in, "a vertex's z"},
+      {"DEPTH_NUMERATOR_BITS", w.depth_numerator, "gradient numerator of z"},
+      {"DEPTH_PLANE_BITS", w.depth_plane, "gradient, reference, accumulator of z"},
+      {"DEPTH_TILE_PLANE_BITS", w.depth_tile_plane, "the same inside a tile"},
+      {"BIAS_FACTOR_FRACTION_BITS", kBiasFactorFractionBits, "gradient's magnitude, slope factor"},
+      {"BIAS_MAGNITUDE_BITS", w.bias_magnitude, "the magnitude, saturated"},
+      {"BIAS_SLOPE_BITS", kBiasSlopeBits, "the slope factor"},
+      {"BIAS_CONSTANT_BITS", w.bias_constant, "the constant"},
+      {"BIAS_FRACTION_BITS", kBiasFractionBits, "fraction of the bias"},
+      {"DEPTH_BIAS_BITS", w.depth_bias, "the bias, saturated"},
+      {"INFLIGHT_STAMPS", w.inflight_stamps, "stamps between read issued and write accepted"},
+  };
+}
+
+Constants hierarchical_z_constants(const Design& d) {
+  if (!d.hierarchical_z) return {};
+  return {
+      {"HIERARCHICAL_Z_BITS", d.hierarchical_z_bits, "of a depth, the top ones"},
+      {"HIERARCHICAL_Z_TILES", d.hierarchical_z_tiles, "of a frame, row by row, the first ones"},
+      {"HIERARCHICAL_Z_STEEP_LOG2", steep_log2(d), "a gradient that is too steep, 2^-8 codes/px"},
+      {"HIERARCHICAL_Z_DELAY_CYCLES", d.hierarchical_z_delay_cycles, "from a write to its effect"},
+  };
+}
+
+Constants attribute_constants(const Contract& c) {
+  const Design& d = c.design;
+  const Widths& w = c.width;
+  Constants all;
+  if (d.attributes > 0) all.push_back({"ATTRIBUTES", d.attributes, "interpolated attributes"});
+  if (d.flat_attributes > 0) {
+    all.push_back({"FLAT_ATTRIBUTES", d.flat_attributes, "attributes constant over a triangle"});
+  }
+  if (channels(d) > 0) all.push_back({"ATTR_BITS", d.attribute_bits, "one attribute"});
+  if (d.attributes > 0) {
+    all.push_back({"ATTRIBUTE_CYCLES", w.attribute_cycles, "from the depth test to the colours"});
+  }
+  if (d.perspective) {
+    append({{"INVERSE_W_BITS", d.inverse_w_bits, "mantissa of 1/w"},
+            {"INVERSE_W_SHIFT_BITS", kInverseWShiftBits, "its exponent, below the greatest one"},
+            {"WEIGHT_FRACTION_BITS", kWeightFractionBits, "a vertex's weight at a sample"},
+            {"WEIGHT_PRODUCT_BITS", kWeightProductBits, "E/w, in units that its sample's share"}},
+           &all);
+  } else if (d.attributes > 0) {
+    append({{"ATTR_NUMERATOR_BITS", w.attr_numerator, "gradient numerator of an attribute"},
+            {"ATTR_PLANE_BITS", w.attr_plane, "gradient, reference, accumulator of an attribute"},
+            {"ATTR_TILE_PLANE_BITS", w.attr_tile_plane, "the same inside a tile"}},
+           &all);
+  }
+  return all;
+}
+
+// Widths of what a design does not have are left out, so that no module can use them by mistake.
+Constants constants(const Contract& c) {
+  const Design& d = c.design;
+  const Widths& w = c.width;
+  Constants all{
       {"SUBPIXEL_BITS", d.subpixel_bits, "S: x, y are multiples of 2^-S px"},
       {"COORD_BITS", w.coord, "x, y"},
       {"EDGE_COEFF_BITS", w.edge_coeff, "a, b"},
@@ -27,49 +92,62 @@ std::vector<Constant> constants(const Contract& c) {
       {"EDGE_BITS", w.edge, "E' = (E - bias) >> S"},
       {"TILE_EDGE_BITS", w.tile_edge, "E' of an edge that cuts the tile"},
       {"AREA2_LENGTH_BITS", w.area2_length, "bit length of the doubled area"},
-      {"DEPTH_BITS", d.depth_bits, "a depth code"},
-      {"DEPTH_INPUT_FRACTION_BITS", kDepthInputFractionBits, "fraction of a vertex's z"},
-      {"DEPTH_IN_BITS", w.depth_in, "a vertex's z"},
-      {"DEPTH_NUMERATOR_BITS", w.depth_numerator, "gradient numerator of z"},
-      {"DEPTH_PLANE_BITS", w.depth_plane, "gradient, reference, accumulator of z"},
-      {"DEPTH_TILE_PLANE_BITS", w.depth_tile_plane, "the same inside a tile"},
-      {"ATTRIBUTES", d.attributes, "attributes of a vertex"},
-      {"ATTR_BITS", d.attribute_bits, "one attribute"},
-      {"ATTR_NUMERATOR_BITS", w.attr_numerator, "gradient numerator of an attribute"},
-      {"ATTR_PLANE_BITS", w.attr_plane, "gradient, reference, accumulator of an attribute"},
-      {"ATTR_TILE_PLANE_BITS", w.attr_tile_plane, "the same inside a tile"},
-      {"RECIPROCAL_BITS", d.reciprocal_bits, "k: mantissa of 1/area2"},
-      {"GRADIENT_FRACTION_BITS", d.gradient_fraction_bits, "F"},
-      {"TILE_FRACTION_BITS", d.tile_fraction_bits, "F': inside a tile"},
-      {"TILE_LOG2", d.tile_log2, "tile side, log2 px"},
-      {"STAMP_WIDTH_LOG2", d.stamp_width_log2, "log2 px"},
-      {"STAMP_HEIGHT_LOG2", d.stamp_height_log2, "log2 px"},
-      {"LANES", w.lanes, "samples of a stamp"},
-      {"FRAME_SIZE_BITS", w.frame_size, "width, height of a frame"},
-      {"PIXEL_BITS", w.pixel, "pixel column or row"},
-      {"TILE_INDEX_BITS", w.tile_index, "tile column or row"},
-      {"STAMP_X_BITS", w.stamp_x, "stamp column"},
-      {"STAMP_Y_BITS", w.stamp_y, "stamp row"},
-      {"SETUP_PLANES_STEP", w.setup_planes_step, "step of setup in which the first plane starts"},
-      {"SETUP_INTERVAL_CYCLES", w.setup_interval_cycles, "a triangle every so many cycles"},
-      {"PRIM_FIFO_DEPTH", d.prim_fifo_depth, "setup -> traversal"},
-      {"TILE_FIFO_DEPTH", d.tile_fifo_depth, "tile test -> stamps"},
-      {"STAMP_FIFO_DEPTH", d.stamp_fifo_depth, "traversal -> interpolation"},
-      {"INFLIGHT_STAMPS", w.inflight_stamps, "stamps between read issued and write accepted"},
   };
+  append(depth_constants(c), &all);
+  append(hierarchical_z_constants(d), &all);
+  append(attribute_constants(c), &all);
+  if (plane_count(d) > 0) {
+    append({{"GRADIENT_FRACTION_BITS", d.gradient_fraction_bits, "F"},
+            {"TILE_FRACTION_BITS", d.tile_fraction_bits, "F': inside a tile"},
+            {"PLANES", plane_count(d), "depth, then affine attributes"},
+            {"VALUE_BITS", w.value, "what a plane is made of: the widest"},
+            {"VALUE_FRACTION_BITS", w.value_fraction, "its fraction"},
+            {"NUMERATOR_BITS", w.numerator, "its gradient numerator"},
+            {"PLANE_BITS", w.plane, "gradient, reference: the widest"},
+            {"SETUP_PLANES_STEP", w.setup_planes_step, "step of setup in which the first starts"}},
+           &all);
+  }
+  if (d.setup_style == SetupStyle::kSerial) {
+    append({{"SETUP_FACTOR_A_BITS", w.setup_factor_a, "of setup's one multiplier"},
+            {"SETUP_FACTOR_B_BITS", w.setup_factor_b, ""}},
+           &all);
+  }
+  append({{"TILE_LOG2", d.tile_log2, "tile side, log2 px"},
+          {"STAMP_WIDTH_LOG2", d.stamp_width_log2, "log2 px"},
+          {"STAMP_HEIGHT_LOG2", d.stamp_height_log2, "log2 px"},
+          {"LANES", w.lanes, "samples of a stamp"},
+          {"FRAME_SIZE_BITS", w.frame_size, "width, height of a frame"},
+          {"PIXEL_BITS", w.pixel, "pixel column or row"},
+          {"TILE_INDEX_BITS", w.tile_index, "tile column or row"},
+          {"STAMP_X_BITS", w.stamp_x, "stamp column"},
+          {"STAMP_Y_BITS", w.stamp_y, "stamp row"},
+          {"SETUP_INTERVAL_CYCLES", w.setup_interval_cycles, "a triangle every so many cycles"},
+          {"SETUP_LATENCY_CYCLES", w.setup_latency_cycles, "from a triangle to its primitive"},
+          {"PRIM_FIFO_DEPTH", d.prim_fifo_depth, "setup -> traversal"},
+          {"TILE_FIFO_DEPTH", d.tile_fifo_depth, "tile test -> stamps"},
+          {"STAMP_FIFO_DEPTH", d.stamp_fifo_depth, "traversal -> interpolation"}},
+         &all);
+  return all;
 }
 
 // What the scheme of the reciprocal has, and no other.
 std::vector<Constant> reciprocal_constants(const Design& d) {
+  if (!has_reciprocal(d)) return {};
+  const Constant mantissa{"RECIPROCAL_BITS", d.reciprocal_bits, "k: mantissa of a reciprocal"};
+  const Constant cycles{"RECIPROCAL_CYCLES", reciprocal_cycles(d), "from its number to it"};
   const Constant index{"RECIPROCAL_LUT_BITS", d.reciprocal_lut_bits, "index of the ROM"};
   switch (d.reciprocal_scheme) {
     case ReciprocalScheme::kNewton:
       return {
+          mantissa,
+          cycles,
           index,
           {"RECIPROCAL_ROM_BITS", reciprocal_rom_bits(d), "entry of the ROM, leading 1 implied"},
           {"RECIPROCAL_NEWTON_STEPS", d.reciprocal_newton_steps, ""}};
     case ReciprocalScheme::kQuadratic:
-      return {index,
+      return {mantissa,
+              cycles,
+              index,
               {"RECIPROCAL_C0_BITS", parabola_c0_bits(d), "constant, leading 1 implied"},
               {"RECIPROCAL_C1_BITS", parabola_c1_bits(d), "coefficient of -t"},
               {"RECIPROCAL_C2_BITS", parabola_c2_bits(d), "coefficient of t^2"},
@@ -77,18 +155,35 @@ std::vector<Constant> reciprocal_constants(const Design& d) {
                "entry of the ROM: the three, the constant on top"}};
     case ReciprocalScheme::kRestoring2:
     case ReciprocalScheme::kRestoring4:
-      return {{"RECIPROCAL_RADIX_BITS", reciprocal_radix_bits(d), "of the quotient a cycle"}};
+      return {mantissa,
+              cycles,
+              {"RECIPROCAL_RADIX_BITS", reciprocal_radix_bits(d), "of the quotient a cycle"}};
     case ReciprocalScheme::kNone:
       break;
   }
   return {};
 }
 
-// The scheme as a macro: a module that names a ROM which the package lacks must not be read.
-const char* reciprocal_macro(const Design& d) {
-  static constexpr const char* kMacros[] = {"NEWTON", "QUADRATIC", "RESTORING", "RESTORING",
-                                            "NONE"};
-  return kMacros[static_cast<int>(d.reciprocal_scheme)];
+// What is built, as macros: a module must not name what the package lacks, nor a port exist for it.
+std::string macros_text(const Design& d) {
+  static constexpr const char* kSchemes[] = {"NEWTON", "QUADRATIC", "RESTORING", "RESTORING",
+                                             "NONE"};
+  static constexpr const char* kStyles[] = {"STEPPED", "PIPELINED", "SERIAL"};
+  std::string text =
+      fmt::format("`define PINEDA_SETUP_{}\n", kStyles[static_cast<int>(d.setup_style)]);
+  const auto define = [&](bool built, const std::string& name) {
+    if (built) text += fmt::format("`define PINEDA_{}\n", name);
+  };
+  define(has_reciprocal(d),
+         std::string("RECIPROCAL_") + kSchemes[static_cast<int>(d.reciprocal_scheme)]);
+  define(d.depth_test, "DEPTH");
+  define(d.hierarchical_z, "HIERARCHICAL_Z");
+  define(plane_count(d) > 0, "PLANES");
+  define(d.attributes > 0, "ATTRIBUTES");
+  define(d.attributes > 0 && !d.perspective, "AFFINE");
+  define(d.perspective, "PERSPECTIVE");
+  define(d.flat_attributes > 0, "FLAT_ATTRIBUTES");
+  return text;
 }
 
 std::string newton_entry(const Design& d, int index) {
@@ -105,6 +200,7 @@ std::string parabola_entry(const Design& d, int index) {
 // The ROM as a function; nothing for a scheme without one.
 std::string reciprocal_rom_text(const Design& d) {
   const bool newton = d.reciprocal_scheme == ReciprocalScheme::kNewton;
+  if (!has_reciprocal(d)) return {};
   if (!newton && d.reciprocal_scheme != ReciprocalScheme::kQuadratic) return {};
   std::string text =
       newton
@@ -159,9 +255,8 @@ std::string package_text(const Contract& c) {
   std::string text = fmt::format(
       "// Generated from model/spec for the design {}. Do not edit: change model/spec and run\n"
       "// `cmake --build build --target package`.\n"
-      "`define PINEDA_RECIPROCAL_{}\n"
-      "package pineda_pkg;\n\n",
-      c.design.name, reciprocal_macro(c.design));
+      "{}package pineda_pkg;\n\n",
+      c.design.name, macros_text(c.design));
   for (const auto& k : constants(c)) text += constant_text(k);
   for (const auto& k : reciprocal_constants(c.design)) text += constant_text(k);
   text += fmt::format(
@@ -169,15 +264,21 @@ std::string package_text(const Contract& c) {
       "`ifdef SYNTHESIS\n  localparam int unsigned ID_BITS = 1;\n"
       "`else\n  localparam int unsigned ID_BITS = {};\n`endif\n\n",
       kTriangleIdBits);
-  const auto code = [&](const char* name, int value) {
-    text += fmt::format("  localparam logic [1:0] {:<13}= 2'd{};\n", name, value);
+  const auto codes = [&](int bits, std::initializer_list<const char*> names) {
+    int value = 0;
+    for (const char* name : names) {
+      text +=
+          fmt::format("  localparam logic [{}:0] {:<15}= {}'d{};\n", bits - 1, name, bits, value);
+      ++value;
+    }
   };
-  code("CULL_NONE", static_cast<int>(Cull::kNone));
-  code("CULL_BACK", static_cast<int>(Cull::kBack));
-  code("CULL_FRONT", static_cast<int>(Cull::kFront));
-  code("DEPTH_LESS", static_cast<int>(DepthFunc::kLess));
-  code("DEPTH_LEQUAL", static_cast<int>(DepthFunc::kLequal));
-  code("DEPTH_OFF", static_cast<int>(DepthFunc::kOff));
+  // In the order of the enumerations.
+  codes(2, {"CULL_NONE", "CULL_BACK", "CULL_FRONT"});
+  if (c.design.attributes > 0) codes(1, {"SHADE_SMOOTH", "SHADE_FLAT"});
+  if (c.design.depth_test) {
+    codes(4, {"DEPTH_LESS", "DEPTH_LEQUAL", "DEPTH_OFF", "DEPTH_NEVER", "DEPTH_EQUAL",
+              "DEPTH_GREATER", "DEPTH_NOTEQUAL", "DEPTH_GEQUAL", "DEPTH_ALWAYS"});
+  }
   text += "\n";
   for_each_struct(c,
                   [&](const auto& table, const char* name) { text += struct_text(table, name); });

@@ -10,7 +10,21 @@
 namespace pineda::spec {
 
 enum class Cull : uint8_t { kNone, kBack, kFront };
-enum class DepthFunc : uint8_t { kLess, kLequal, kOff };
+/// A new sample passes if it compares so with the stored one. kOff neither tests nor writes.
+enum class DepthFunc : uint8_t {
+  kLess,
+  kLequal,
+  kOff,
+  kNever,
+  kEqual,
+  kGreater,
+  kNotequal,
+  kGequal,
+  kAlways,
+};
+enum class Shade : uint8_t { kSmooth, kFlat };  // flat: the first vertex gives the attributes
+
+inline constexpr int kNoScissorPx = 1 << 24;  // beyond every frame
 
 /// Raster state, sampled when a frame starts.
 struct FrameState {
@@ -18,6 +32,23 @@ struct FrameState {
   int height = 1;  // px
   Cull cull = Cull::kNone;
   DepthFunc depth = DepthFunc::kLess;
+  bool depth_write = true;  // of the samples that pass
+  Shade shade = Shade::kSmooth;
+  // Samples in columns [x0, x1) and rows [y0, y1) only, px; what lies outside the frame counts not.
+  int scissor_x0 = 0;
+  int scissor_y0 = 0;
+  int scissor_x1 = kNoScissorPx;
+  int scissor_y1 = kNoScissorPx;
+  // Depth bias = constant + slope * max(|dz/dx|, |dz/dy|)
+  int64_t bias_constant = 0;  // depth codes
+  int32_t bias_slope = 0;     // units of 2^-8, -2^15 to 2^15 - 1
+
+  /// The scissor clipped to the frame.
+  int clip_x0() const { return scissor_x0 < width ? scissor_x0 : width; }
+  int clip_y0() const { return scissor_y0 < height ? scissor_y0 : height; }
+  int clip_x1() const { return scissor_x1 < width ? scissor_x1 : width; }
+  int clip_y1() const { return scissor_y1 < height ? scissor_y1 : height; }
+  bool has_bias() const { return bias_constant != 0 || bias_slope != 0; }
 };
 
 using Attributes = std::array<int32_t, kMaxAttributes>;
@@ -27,7 +58,11 @@ struct Vertex {
   int32_t x = 0;
   int32_t y = 0;
   int64_t z = 0;
-  Attributes attr{};
+  Attributes attr{};  // interpolated ones first, then those of which only vertex 0's count
+  // 1/w = inverse_w * 2^-inverse_w_shift times a factor that the three vertices share, by which the
+  // greatest 1/w of a triangle has shift 0. 2^(bits-1) <= inverse_w < 2^bits.
+  int32_t inverse_w = 0;
+  int32_t inverse_w_shift = 0;
 };
 
 /// Three snapped vertices, in the order of the scene.
@@ -43,17 +78,31 @@ struct Plane {
   int64_t ref = 0;
 };
 
-/// Depth and attribute planes that share a reference sample.
-struct PlaneSet {
-  Plane z;
-  std::array<Plane, kMaxAttributes> attr;
-};
-
 /// inside(sample) = all three a*x + b*y + e >= 0, with x, y in px from the reference sample.
 struct EdgeFunction {
   int64_t a = 0;  // per px to the right, units of 2^-S px (E' of a pixel step)
   int64_t b = 0;  // per px down
   int64_t e = 0;  // E' at the reference sample, top-left bias folded in
+};
+
+/// What perspective-correct attributes come from, beside the edges: E of edge i, times 1/w, is the
+/// weight of vertex (i + 2) % 3, in canonical order.
+struct PerspectiveSet {
+  std::array<int32_t, 3> e_low{};      // (E - bias) mod 2^S of each edge, the same at every sample
+  std::array<int32_t, 3> inverse_w{};  // of the vertices, as in Vertex
+  std::array<int32_t, 3> inverse_w_shift{};
+  std::array<Attributes, 3> attr{};
+};
+
+/// What a triangle's samples get their values from; everything shares a reference sample. A design
+/// uses the parts that it has.
+struct PlaneSet {
+  Plane z;
+  bool z_steep = false;  // hierarchical z: the plane may wrap within a tile, outside the triangle
+  int64_t z_bias = 0;    // units of 2^-16 codes, saturated to twice the range of depth
+  std::array<Plane, kMaxAttributes> attr;
+  Attributes flat{};
+  PerspectiveSet perspective;
 };
 
 /// A triangle set up: edges and planes at the first sample of the box's first tile.
@@ -70,8 +119,10 @@ struct Tile {
   int x = 0, y = 0;                    // column and row, in tiles
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // box clipped to the tile, px from the tile's corner
   std::array<EdgeFunction, 3> edge;    // e at the tile's first sample
-  uint32_t accepted = 0;  // bit i: edge i accepts every sample of the tile; its e is not looked at
-  PlaneSet planes;        // referred to the tile's first sample, F' fraction bits
+  // Bit i: edge i accepts every sample of the tile; its e is not looked at, and without perspective
+  // it has wrapped.
+  uint32_t accepted = 0;
+  PlaneSet planes;  // referred to the tile's first sample, F' fraction bits
 };
 
 /// The samples of one cycle: lane i is pixel (x*W + i%W, y*H + i/W) of a stamp of W x H px.
@@ -80,14 +131,16 @@ struct Stamp {
   int x = 0, y = 0;   // column and row, in stamps
   uint32_t mask = 0;  // bit i: lane i is covered
   PlaneSet planes;    // referred to the first sample of the stamp's tile, F' fraction bits
+  std::array<EdgeFunction, 3> edge;  // perspective: at the first sample of the stamp's tile
 };
 
-/// A stamp's values at its covered lanes; 0 in the others.
+/// A stamp's values at some of its lanes; 0 in the others.
 struct Fragment {
-  std::array<uint32_t, kMaxLanes> z{};  // depth codes
-  std::array<Attributes, kMaxLanes> attr{};
+  std::array<uint32_t, kMaxLanes> z{};       // depth codes
+  std::array<Attributes, kMaxLanes> attr{};  // interpolated attributes
 };
 
+/// With hierarchical z all samples of the frame are asked for, not only those covered.
 struct DepthRead {
   uint32_t id = 0;
   int x = 0, y = 0;
@@ -97,6 +150,12 @@ struct DepthRead {
 /// Depth codes of a stamp; lanes that were not asked for are 0.
 struct DepthData {
   std::array<uint32_t, kMaxLanes> z{};
+};
+
+/// Hierarchical z: the greatest depth stored in a stamp after its write, the top bits.
+struct DepthMax {
+  int x = 0, y = 0;  // column and row, in stamps
+  uint32_t z = 0;
 };
 
 /// Lanes outside the mask are 0.
@@ -112,7 +171,8 @@ struct ColorWrite {
   uint32_t id = 0;
   int x = 0, y = 0;
   uint32_t mask = 0;
-  std::array<Attributes, kMaxLanes> attr{};
+  std::array<Attributes, kMaxLanes> attr{};  // interpolated attributes
+  Attributes flat{};                         // of every lane of the mask
 };
 
 }  // namespace pineda::spec

@@ -14,6 +14,25 @@ inline constexpr int kDepthInputFractionBits = 8;
 /// alias.
 inline constexpr int kPlaneHeadBits = 2;
 
+/// Depth bias: fraction bits of a gradient's magnitude and of the slope factor; the bias has both.
+inline constexpr int kBiasFactorFractionBits = 8;
+inline constexpr int kBiasFractionBits = 2 * kBiasFactorFractionBits;
+inline constexpr int kBiasSlopeBits = 16;  // sQ7.8
+
+/// Hierarchical z: a gradient of 2^n units of 2^-8 codes/px is steep. Below, a plane that is in
+/// range at one sample of a tile stays within half its range at all others, so it has not wrapped:
+/// 2(T - 1) * 2^(depth_bits - log2 T - 2) < 2^(depth_bits - 1).
+constexpr int steep_log2(const Design& d) {
+  return d.depth_bits - d.tile_log2 - 2 + kBiasFactorFractionBits;
+}
+
+/// Perspective: a vertex's weight at a sample is U1.24, from products E/w of 26 bits. Two more bits
+/// than the weight has keep the cutting of the products below its rounding.
+inline constexpr int kWeightFractionBits = 24;
+inline constexpr int kWeightProductBits = kWeightFractionBits + 2;
+/// 1/w of a vertex below the greatest one of its triangle, log2: w is a normal float.
+inline constexpr int kInverseWShiftBits = 8;
+
 /// Triangle number that travels with every token in simulation (1 bit in synthesis).
 inline constexpr int kTriangleIdBits = 32;
 
@@ -59,16 +78,107 @@ struct Widths {
   int attr_plane;        // the same for an attribute: s<attribute_bits+2>.F, wraps
   int depth_tile_plane;  // the same inside a tile: F' fraction bits
   int attr_tile_plane;
-  int frame_size;             // width, height: 1 .. 2^guard px
-  int pixel;                  // pixel index inside a frame
-  int tile_index;             // tile column or row
-  int stamp_x;                // stamp column: the address of the depth and colour memories
-  int stamp_y;                // stamp row
-  int lanes;                  // samples of a stamp (a count, not a width)
-  int inflight_stamps;        // stamps between read issued and write accepted (a count)
-  int setup_planes_step;      // step of setup in which the first plane starts
-  int setup_interval_cycles;  // a triangle every so many cycles
+  int value;           // what a plane is made of, z or an attribute: the widest
+  int value_fraction;  // its fraction bits
+  int numerator;       // its gradient numerator
+  int plane;           // gradient, reference: the widest
+  int setup_factor_a;  // of serial setup's multiplier
+  int setup_factor_b;
+  int bias_constant;      // depth codes, sign and the range of depth
+  int bias_magnitude;     // max(|dz/dx|, |dz/dy|): UQ<depth_bits+3>.8, saturated
+  int depth_bias;         // sQ<depth_bits+1>.16, saturated: more moves every code beyond its range
+  int frame_size;         // width, height: 1 .. 2^guard px
+  int pixel;              // pixel index inside a frame
+  int tile_index;         // tile column or row
+  int stamp_x;            // stamp column: the address of the depth and colour memories
+  int stamp_y;            // stamp row
+  int lanes;              // samples of a stamp (a count, not a width)
+  int inflight_stamps;    // stamps between read issued and write accepted (a count)
+  int setup_planes_step;  // step of setup in which the first plane starts
+  int setup_interval_cycles;      // a triangle every so many cycles
+  int setup_drop_cycles;          // after a dropped one
+  int setup_drop_latency_cycles;  // from a dropped one accepted to the unit without it
+  int setup_latency_cycles;       // from a triangle accepted to its output offered
+  int attribute_cycles;  // from a stamp that passed the depth test to its colour write offered
 };
+
+/// Two multipliers for the edges, then a plane a cycle.
+constexpr void stepped_setup_cycles(const Design& d, Widths* w) {
+  const int planes = plane_count(d);
+  // The last plane reads the triangle's differences 5 cycles after its start, and the next triangle
+  // writes them in its step 5; the steps themselves take 10 cycles.
+  const int planes_done = planes > 0 ? w->setup_planes_step + planes - 1 : 0;
+  w->setup_interval_cycles = planes_done > 10 ? planes_done : 10;
+  w->setup_drop_cycles = 5;  // known in step 4
+  // The last plane: six stages and the output register after its start. Edges: written in step 9.
+  w->setup_latency_cycles = planes > 0 ? planes_done + 7 : 10;
+}
+
+/// A triangle a cycle. All planes start together; edges are complete in step 8.
+constexpr void pipelined_setup_cycles(const Design& d, Widths* w) {
+  w->setup_interval_cycles = w->setup_drop_cycles = 1;
+  w->setup_latency_cycles = plane_count(d) > 0 ? w->setup_planes_step + 7 : 9;
+}
+
+/// Steps of serial setup between the edges' last product and the first plane's: those of the
+/// reciprocal's products. Its last one is taken up while the planes' first one is made.
+constexpr int serial_reciprocal_steps(const Design& d) {
+  switch (d.reciprocal_scheme) {
+    case ReciprocalScheme::kNewton:  // two products a step, the second waits for the first
+      return d.reciprocal_newton_steps > 0 ? 3 * d.reciprocal_newton_steps - 1 : 0;
+    case ReciprocalScheme::kQuadratic:  // square, linear term, curve
+      return 3;
+    case ReciprocalScheme::kRestoring2:
+    case ReciprocalScheme::kRestoring4: {
+      // Without products, from step 5 on. The mantissa is wanted 4 products after the planes'
+      // start.
+      const int wait = 5 + reciprocal_cycles(d) - 4 - 9;
+      return wait > 0 ? wait : 0;
+    }
+    case ReciprocalScheme::kNone:
+      break;
+  }
+  return 0;
+}
+
+/// A product a cycle: two of the area, four of the edges in steps 5 to 8, the reciprocal's, eight
+/// of each plane, and the depth bias.
+constexpr void serial_setup_cycles(const Design& d, Widths* w) {
+  w->setup_planes_step = 9 + serial_reciprocal_steps(d);
+  const int products = 8 * plane_count(d) + (d.depth_test ? 1 : 0);
+  // The last product is taken up in one more step, the edges are written in step 10.
+  const int last = plane_count(d) > 0 ? w->setup_planes_step + products : 10;
+  w->setup_interval_cycles = w->setup_latency_cycles = last + 1;
+  w->setup_drop_cycles = 5;
+  // Edges multiply differences. Planes: numerators by the mantissa, gradients by offsets, which are
+  // differences; the reciprocal: UQ0.(k+2); all with a sign.
+  w->setup_factor_a = w->setup_factor_b = w->edge_coeff;
+  if (plane_count(d) == 0) return;
+  const int wide_plane = w->plane + d.subpixel_bits;
+  const int reciprocal = d.reciprocal_bits + 3;
+  for (const int bits : {w->numerator, wide_plane, reciprocal}) {
+    if (bits > w->setup_factor_a) w->setup_factor_a = bits;
+  }
+  for (const int bits : {reciprocal, d.depth_test ? kBiasSlopeBits : 0}) {
+    if (bits > w->setup_factor_b) w->setup_factor_b = bits;
+  }
+}
+
+constexpr void setup_cycles(const Design& d, Widths* w) {
+  // The first plane takes the reciprocal 3 cycles after its start; the reciprocal starts in step 5.
+  // No plane can start before the differences that step 5 writes.
+  const int reciprocal_ready = 5 + reciprocal_cycles(d) - 3;
+  w->setup_planes_step = reciprocal_ready > 6 ? reciprocal_ready : 6;
+  w->setup_drop_latency_cycles = 5;  // known in step 4
+  switch (d.setup_style) {
+    case SetupStyle::kStepped:
+      return stepped_setup_cycles(d, w);
+    case SetupStyle::kPipelined:
+      return pipelined_setup_cycles(d, w);
+    case SetupStyle::kSerial:
+      return serial_setup_cycles(d, w);
+  }
+}
 
 constexpr Widths widths(const Design& d) {
   Widths w{};
@@ -82,7 +192,9 @@ constexpr Widths widths(const Design& d) {
   // Samples are a whole pixel apart: the low S bits of E - bias never change and carry no sign.
   w.edge = w.area2 - d.subpixel_bits;
   // An edge that neither rejects nor accepts a tile of T has |E'| <= (T-1)(|a|+|b|) inside it.
-  w.tile_edge = 1 + ceil_log2(2 * ((uint64_t{1} << d.tile_log2) - 1)) + span;
+  // With perspective E itself is needed at each sample, so every edge keeps its width.
+  w.tile_edge =
+      d.perspective ? w.edge : 1 + ceil_log2(2 * ((uint64_t{1} << d.tile_log2) - 1)) + span;
   w.area2_length = bit_length(2 * static_cast<uint64_t>(span));
   w.depth_in = d.depth_bits + kDepthInputFractionBits;
   // dz1*dy2 - dz2*dy1 is the doubled area of a triangle in a box of 2^depth_in by 2^span.
@@ -102,14 +214,20 @@ constexpr Widths widths(const Design& d) {
   // Full rate at the longest latency: request to response, and the cycles from the response to the
   // accepted write (compare, write) with room for the slot to be reused.
   w.inflight_stamps = d.max_depth_latency_cycles + 8;
-  // The first plane takes the reciprocal 3 cycles after its start; the reciprocal starts in step 5.
-  // No plane can start before the differences that step 5 writes.
-  const int reciprocal_ready = 5 + reciprocal_cycles(d) - 3;
-  w.setup_planes_step = reciprocal_ready > 6 ? reciprocal_ready : 6;
-  // The last plane reads the triangle's differences 5 cycles after its start, and the next triangle
-  // writes them in its step 5; the steps themselves take 10 cycles.
-  const int planes_done = w.setup_planes_step + d.attributes;
-  w.setup_interval_cycles = planes_done > 10 ? planes_done : 10;
+  w.bias_constant = d.depth_bits + 1;
+  w.bias_magnitude = d.depth_bits + 3 + kBiasFactorFractionBits;
+  w.depth_bias = d.depth_bits + 2 + kBiasFractionBits;
+  // An attribute has a fraction bit too, always 0: gradients are cut one bit short of their shift
+  // before they are rounded, and that shift may be 0.
+  const int attr_fraction = 1;
+  w.value = d.depth_test ? w.depth_in : d.attribute_bits + attr_fraction;
+  w.value_fraction = d.depth_test ? kDepthInputFractionBits : attr_fraction;
+  w.numerator = d.depth_test ? w.depth_numerator : w.attr_numerator + attr_fraction;
+  w.plane = d.depth_test ? w.depth_plane : w.attr_plane;
+  setup_cycles(d, &w);
+  // Affine: one stage for the lanes. With perspective E, its products, their alignment, the
+  // reciprocal of the sum, the weights, the attributes.
+  w.attribute_cycles = d.attributes == 0 ? 0 : d.perspective ? 5 + reciprocal_cycles(d) : 1;
   return w;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/core/frame.h"
+#include "model/timing/hierarchical_z.h"
 #include "model/timing/local_time.h"
 
 namespace pineda::timing {
@@ -22,6 +23,10 @@ struct Frame {
   spec::FrameState state;
   Listener* listener = nullptr;  // never null while units run
   core::FrameCounters counters;
+  HierarchicalZ* hierarchical_z = nullptr;  // if the design has it
+  // Tiles and stamps that are not drawn yet. Only when none is left does a tile test know every
+  // depth that was written before its cycle.
+  int64_t under_way = 0;
 };
 
 }  // namespace pineda::timing

@@ -16,13 +16,14 @@ RasterTop::RasterTop(sc_core::sc_module_name name, const spec::Contract& contrac
       traversal_("traversal", contract),
       stamps_("stamps", contract.design.stamp_fifo_depth),
       interp_ztest_("interp_ztest", contract),
-      memory_("memory", contract) {
+      memory_("memory", contract),
+      hierarchical_z_(contract) {
   setup_.tri_i(triangles_);
   setup_.prim_o(prims_);
   traversal_.prim_i(prims_);
   traversal_.stamp_o(stamps_);
   interp_ztest_.stamp_i(stamps_);
-  interp_ztest_.depth_io(memory_);
+  if (contract.design.depth_test) interp_ztest_.depth_io(memory_);
   interp_ztest_.color_wr_o(memory_);
 }
 
@@ -47,7 +48,11 @@ FrameResult RasterTop::run(const spec::FrameState& state, Pull pull, Listener* l
 }
 
 void RasterTop::begin_frame(const spec::FrameState& state, Pull pull, Listener* listener) {
-  frame_ = {state, listener, {}};
+  frame_ = {};
+  frame_.state = state;
+  frame_.listener = listener;
+  hierarchical_z_.begin_frame(state);
+  if (contract_.design.hierarchical_z) frame_.hierarchical_z = &hierarchical_z_;
   memory_.begin_frame(state);
   prims_.begin_frame();
   stamps_.begin_frame();

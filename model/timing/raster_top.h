@@ -62,6 +62,7 @@ class RasterTop final : public sc_core::sc_module {
   TimedFifo<spec::Stamp> stamps_;
   InterpZtestUnit interp_ztest_;
   IdealMemory memory_;
+  HierarchicalZ hierarchical_z_;
 };
 
 }  // namespace pineda::timing

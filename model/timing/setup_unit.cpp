@@ -4,18 +4,6 @@
 
 namespace pineda::timing {
 
-namespace {
-
-// A dropped triangle is known in step 4 after its acceptance.
-constexpr Cycle kDropIntervalSteps = 5;
-
-// From the start of the first plane: one more start an attribute, six stages, the output register.
-Cycle latency_steps(const spec::Contract& c) {
-  return c.width.setup_planes_step + c.design.attributes + 7;
-}
-
-}  // namespace
-
 SetupUnit::SetupUnit(sc_core::sc_module_name name, const spec::Contract& contract)
     : sc_module(name), contract_(contract) {
   SC_HAS_PROCESS(SetupUnit);
@@ -29,7 +17,7 @@ void SetupUnit::end_of_elaboration() {
 
 void SetupUnit::begin_frame(Frame* frame) {
   frame_ = frame;
-  next_step_ = busy_ = frozen_ = total_frozen_ = 0;
+  next_step_ = empty_step_ = busy_ = frozen_ = total_frozen_ = 0;
   freezes_.clear();
   last_output_ = -1;
 }
@@ -46,9 +34,11 @@ void SetupUnit::run() {
     tri_i->pop(accept(offered));
     const Cycle step = next_step_;
     const bool sent = drop == core::Drop::kNone;
-    const Cycle interval = sent ? contract_.width.setup_interval_cycles : kDropIntervalSteps;
+    const spec::Widths& width = contract_.width;
+    const Cycle interval = sent ? width.setup_interval_cycles : width.setup_drop_cycles;
     busy_ += interval;
     next_step_ = step + interval;
+    empty_step_ = sent ? next_step_ : step + width.setup_drop_latency_cycles;
     if (sent) send(prim, step);
   }
 }
@@ -65,7 +55,7 @@ Cycle SetupUnit::accept(Cycle offered) {
 }
 
 void SetupUnit::send(const spec::SetupPrim& prim, Cycle accepted_step) {
-  const Cycle step = accepted_step + latency_steps(contract_);
+  const Cycle step = accepted_step + contract_.width.setup_latency_cycles;
   const Cycle offered = step + total_frozen_;
   last_output_ = prim_o->push(prim, offered);
   frame_->listener->prim(last_output_, prim);
@@ -75,8 +65,8 @@ void SetupUnit::send(const spec::SetupPrim& prim, Cycle accepted_step) {
 }
 
 Cycle SetupUnit::idle_from() const {
-  // A freeze still ahead of next_step_ belongs to an output, which then is the later of the two.
-  return std::max(next_step_ + total_frozen_, last_output_ + 1);
+  // A freeze still ahead of empty_step_ belongs to an output, which then is the later of the two.
+  return std::max(empty_step_ + total_frozen_, last_output_ + 1);
 }
 
 UnitCycles SetupUnit::cycles(Cycle drained) const {

@@ -13,8 +13,8 @@ namespace pineda::timing {
 /// Bits     core::setup() defines every output bit; this class adds only time.
 /// In       tri_i: vertices sQ14.8 px, snapped, inside the guard band; y down.
 /// Out      prim_o: edges and planes at the first sample of the box's first tile.
-/// Rate     1 triangle every width.setup_interval_cycles, a dropped one every 5; latency
-///          width.setup_planes_step + design.attributes + 7.
+/// Rate     1 triangle every width.setup_interval_cycles, a dropped one every
+///          width.setup_drop_cycles; latency width.setup_latency_cycles.
 /// Drops    area2 = 0, culled by facing, box without a sample or outside the frame: accepted,
 ///          counted, not sent.
 /// Errors   a stream left unbound: SC_REPORT_FATAL "pineda/setup/unbound".
@@ -24,12 +24,12 @@ namespace pineda::timing {
 /// of its own, its steps: a step is a cycle without such a freeze, and
 ///   cycle(step) = step + the cycles frozen at steps up to and including it.
 /// In steps, triangle n is accepted and its output offered in
-///   accept[n] >= accept[n-1] + (dropped[n-1] ? 5 : interval),  cycle(accept[n]) >= offered[n],
+///   accept[n] >= accept[n-1] + (dropped[n-1] ? drop : interval),  cycle(accept[n]) >= offered[n],
 ///   output[n] = accept[n] + latency,
 /// the least such accept[n]. The unit freezes at step output[n] for as many cycles as the FIFO
 /// takes the output later than cycle(output[n]): with the freezes of earlier outputs, which are all
-/// known when output n is handed over. Triangles n+1 and n+2 may be accepted before that step, so
-/// a freeze waits in a list until the acceptances have come past its step.
+/// known when output n is handed over. Later triangles may be accepted before that step, so a
+/// freeze waits in a list until the acceptances have come past its step.
 class SetupUnit final : public sc_core::sc_module {
  public:
   Port<StreamIn<spec::Triangle>> tri_i{"tri_i"};
@@ -57,6 +57,7 @@ class SetupUnit final : public sc_core::sc_module {
   spec::Contract contract_;
   Frame* frame_ = nullptr;
   Cycle next_step_ = 0;         // the first step in which a triangle can be accepted
+  Cycle empty_step_ = 0;        // the first step without the last triangle, if it was dropped
   Cycle busy_ = 0;              // steps spent on triangles
   Cycle frozen_ = 0;            // cycles frozen at steps before next_step_
   Cycle total_frozen_ = 0;      // the same with those still listed

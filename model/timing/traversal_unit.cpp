@@ -51,12 +51,23 @@ void TraversalUnit::walk(const spec::SetupPrim& prim) {
     ++frame_->counters.tiles_tested;
     if (test == Test::kRejected) {
       ++frame_->counters.tiles_rejected;
+    } else if (is_hidden(tile)) {
+      ++frame_->counters.tiles_hidden;
     } else {
       frame_->counters.tiles_accepted += tile.accepted == 7 ? 1 : 0;
+      ++frame_->under_way;
       tile_time_.block(tiles_.push(tile, tile_time_.now()));
     }
     tile_time_.work(1);
   }
+}
+
+bool TraversalUnit::is_hidden(const spec::Tile& tile) {
+  if (frame_->hierarchical_z == nullptr || !frame_->hierarchical_z->is_active()) return false;
+  const uint32_t floor = core::depth_floor(contract_, tile.planes);
+  if (floor == 0) return false;
+  while (frame_->under_way != 0) sc_core::wait(sc_core::SC_ZERO_TIME);
+  return frame_->hierarchical_z->hides(tile_time_.now(), tile.x, tile.y, floor);
 }
 
 void TraversalUnit::run_stamps() {
@@ -66,16 +77,17 @@ void TraversalUnit::run_stamps() {
 void TraversalUnit::walk(const spec::Tile& tile) {
   core::StampWalk stamps(contract_, tile);
   spec::Stamp stamp;
-  stamp.id = tile.id;
-  stamp.planes = tile.planes;
+  stamps.begin(&stamp);
   while (stamps.next(&stamp.mask, &stamp.x, &stamp.y)) {
     if (stamp.mask != 0) stamp_time_.block(stamp_sent_);  // the output register
     stamp_time_.work(1);
     if (stamp.mask != 0) send(stamp);
   }
+  --frame_->under_way;
 }
 
 void TraversalUnit::send(const spec::Stamp& stamp) {
+  ++frame_->under_way;
   stamp_sent_ = stamp_o->push(stamp, stamp_time_.now());
   frame_->listener->stamp(stamp_sent_, stamp);
   ++frame_->counters.stamps;

@@ -19,7 +19,8 @@ namespace pineda::timing {
 /// Timing. Two walkers with a FIFO between them, each with a local time. The tile walker takes a
 /// triangle as early as in the cycle of its last test and tests its first tile in the next one:
 ///   taken = max(last test, visible);  test[0] = taken + 1;  test[k+1] = done[k] + 1
-///   done[k] = test[k] if rejected, else the cycle in which the FIFO takes the tile.
+///   done[k] = test[k] if rejected or hidden, else the cycle in which the FIFO takes the tile.
+/// A tile is hidden by the depths that hierarchical z sees in test[k], and by no later ones.
 /// The stamp walker does the same with tiles and stamps. A stamp that is not empty goes into an
 /// output register, which is free again in the cycle in which the stamp in it is taken:
 ///   done[k] = test[k] if empty, else max(test[k], sent[k'])   k' = the stamp sent before
@@ -44,6 +45,7 @@ class TraversalUnit final : public sc_core::sc_module {
   void run_stamps();
   void walk(const spec::SetupPrim& prim);
   void walk(const spec::Tile& tile);
+  bool is_hidden(const spec::Tile& tile);
   void send(const spec::Stamp& stamp);
 
   spec::Contract contract_;

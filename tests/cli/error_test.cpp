@@ -159,6 +159,32 @@ TEST(Study, DesignPointsHoldOnRandomTriangles) {
             std::string::npos);
 }
 
+// One parameter at a time: more bits cost more, and every point keeps its bounds.
+TEST(Study, ParametersSayWhatEachCostsAndBuys) {
+  const Json json = figures(
+      {"study", "parameters", "grid", "--size", "64x48", "--parameter", "depth_bits,stamp_px"});
+  EXPECT_TRUE(json.at("holds").get<bool>());
+  int64_t cost = 0;
+  int64_t cycles = INT64_MAX;
+  int bases = 0;
+  for (const Json& point : json.at("points")) {
+    bases += point.at("is_base").get<bool>() ? 1 : 0;
+    EXPECT_EQ(point.at("missing"), 0);
+    EXPECT_LE(point.at("depth").at("max_ulp"), point.at("depth").at("bound_ulp"));
+    EXPECT_LE(point.at("color").at("max_lsb"), point.at("color").at("bound_lsb"));
+    if (point.at("parameter") == "depth_bits") {
+      EXPECT_GT(point.at("cost_bits").at("total"), cost);
+      cost = point.at("cost_bits").at("total");
+    } else {
+      EXPECT_LT(point.at("cycles"), cycles);  // the larger the stamp
+      cycles = point.at("cycles");
+    }
+  }
+  EXPECT_EQ(bases, 2);
+  EXPECT_TRUE(is_refused(pineda({"study", "parameters", "grid", "--parameter", "colour"}),
+                         "--parameter: expected one of subpixel_bits"));
+}
+
 TEST(Study, BadUsageIsRefused) {
   EXPECT_TRUE(is_refused(pineda({"study"}), "design-points"));
   EXPECT_TRUE(is_refused(pineda({"study", "everything"}), "design-points"));

@@ -25,7 +25,7 @@ std::string tri_text(const Scene& scene) {
   std::string text = "pineda-tri 1\nsize " + std::to_string(scene.width) + " " +
                      std::to_string(scene.height) + "\ncull " +
                      kCull[static_cast<int>(scene.cull)] + "\ndepth " +
-                     kDepth[static_cast<int>(scene.depth)] + "\n";
+                     kDepth[static_cast<int>(scene.depth)] + "\n" + scene.state;
   for (const Triangle& t : scene.triangles) {
     for (const Vertex& v : t) {
       char line[160];

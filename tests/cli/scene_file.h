@@ -28,6 +28,7 @@ struct Scene {
   Cull cull = Cull::kNone;
   Depth depth = Depth::kLess;
   std::vector<Triangle> triangles;
+  std::string state = {};  // further state lines of a .tri file
 };
 
 std::string tri_text(const Scene& scene);

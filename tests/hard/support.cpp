@@ -41,8 +41,12 @@ exact::Judge judge(const spec::Contract& contract, const spec::FrameState& frame
   }
   static constexpr exact::Cull kCull[] = {exact::Cull::kNone, exact::Cull::kBack,
                                           exact::Cull::kFront};
-  return {v, contract.design.subpixel_bits, frame.width, frame.height,
-          kCull[static_cast<int>(frame.cull)]};
+  exact::Frame exact{frame.width, frame.height, kCull[static_cast<int>(frame.cull)]};
+  exact.x0 = frame.scissor_x0;
+  exact.y0 = frame.scissor_y0;
+  exact.x1 = frame.scissor_x1;
+  exact.y1 = frame.scissor_y1;
+  return {v, contract.design.subpixel_bits, exact};
 }
 
 std::vector<uint16_t> judged_hits(const spec::Contract& contract, const Snapped& scene) {

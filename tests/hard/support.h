@@ -25,6 +25,7 @@ Snapped snapped(const scene::HardCase& hard_case, const spec::Contract& contract
 /// The same at the default design.
 Snapped snapped(const std::string& name);
 
+/// Of the frame's state, all that decides coverage.
 exact::Judge judge(const spec::Contract& contract, const spec::FrameState& frame,
                    const spec::Triangle& triangle);
 /// Triangles that cover each sample, by the judge alone.

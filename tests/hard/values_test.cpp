@@ -133,7 +133,7 @@ TEST(DepthNearOne, CodesAreRoundedFromTheExactProduct) {
   EXPECT_GT(wrong_in_floats, 180);
 }
 
-TEST(Perspective, ReachesRatiosOfAMillionAndSaysThatColoursStayAffine) {
+TEST(Perspective, ReachesRatiosOfAMillion) {
   float greatest = 0;
   for (const auto& t : hard_case("perspective").make()) {
     const auto [low, high] = std::minmax({t.v[0].w, t.v[1].w, t.v[2].w});

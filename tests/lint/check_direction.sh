@@ -1,7 +1,7 @@
 #!/bin/sh
 # check_direction.sh ROOT: fails when an include points against the direction
 #   spec <- core <- timing <- tb <- cli;  scene -> spec;  exact uses nothing;  tests use everything.
-# Also: paths start at the root, only tb/plugin.cpp and the test of lone modules see a Verilated
+# Also: paths start at the root, only tb/plugin.cpp and the tests of lone modules see a Verilated
 # header, and SystemC is known from model/timing on.
 set -eu
 cd "$1"
@@ -26,7 +26,7 @@ function folder(path, part) {
   return part[1] == "model" ? part[1] "/" part[2] : part[1]
 }
 function verilates(file) {
-  return file == "tb/plugin.cpp" || file == "tests/rtl/scheme_rtl_test.cpp"
+  return file == "tb/plugin.cpp" || file ~ "^tests/rtl/(scheme|pipelined|setup)_rtl_test.cpp$"
 }
 function refuse(why) {
   printf "%s:%d: %s: %s\n", FILENAME, FNR, why, $0

@@ -20,11 +20,11 @@ fault() {  # FILE SED-COMMAND
 }
 
 # Setup: every edge counts as top-left, so shared edges are hit twice.
-fault rtl/setup_unit.sv 's/top_left = dy < 0 .*;/top_left = dy < 0 || dx > 0 || dx <= 0;/'
+fault rtl/setup_edges.sv 's/top_left = dy < 0 .*;/top_left = dy < 0 || dx > 0 || dx <= 0;/'
 # Traversal: a tile whose best corner lies just inside an edge is rejected.
 fault rtl/tile_walker.sv 's/assign rejects\[i\] = best < 0;/assign rejects[i] = best <= 0;/'
 # Depth test: less passes equal depths.
-fault rtl/interp_ztest_unit.sv 's/new_z < old_z/new_z <= old_z/'
+fault rtl/interp_ztest_unit.sv "s/\(DEPTH_LESS: .*\)3'b100/\13'b110/"
 
 # Package: two fields of a tile change places. It is generated, so its generator is wrapped.
 cat > "$folder/emit" <<WRAPPER

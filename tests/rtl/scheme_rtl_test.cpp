@@ -1,13 +1,9 @@
-// The reciprocal's RTL alone, scheme by scheme, against core: corner areas, random ones, stalls;
-// and setup around the quickest of them.
+// The reciprocal's RTL alone, scheme by scheme, against core: corner areas, random ones, stalls.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 #include "Vreciprocal_newton_small.h"
 #include "Vreciprocal_quadratic.h"
@@ -19,33 +15,14 @@
 #include "Vreciprocal_rom.h"
 #include "Vreciprocal_unit_more.h"
 #include "Vreciprocal_unsaturated.h"
-#include "Vsetup_rom.h"
 #include "model/core/reciprocal.h"
-#include "model/core/setup.h"
-#include "model/spec/pack.h"
-#include "tests/spec/schemes.h"
-#include "vectors/rng.h"
+#include "tests/rtl/lone.h"
 
 namespace pineda::tb {
 namespace {
 
 using core::Reciprocal;
 using vectors::Rng;
-
-spec::Contract contract_of(const std::string& name) {
-  for (const spec::Design& design : spec::kSchemes) {
-    if (name == design.name) return spec::contract(design);
-  }
-  throw std::invalid_argument(name);
-}
-
-template <class Model>
-void clock(Model* model) {
-  model->clk_i = 1;
-  model->eval();
-  model->clk_i = 0;
-  model->eval();
-}
 
 /// A Verilated reciprocal, stalled at random `stalls` times in eight.
 template <class Model>
@@ -213,88 +190,6 @@ TEST(ReciprocalRtlMutant, UnitTooMuchAtTheStartOfACellIsCaught) {
 TEST(ReciprocalRtlMutant, PowersOfTwoThatDoNotSaturateAreCaught) {
   const int wrong = caught<Vreciprocal_unsaturated>("restoring4");
   EXPECT_GT(wrong, 0);
-}
-
-/// setup_unit with a reciprocal of two cycles: its planes wait for the differences instead.
-class SetupOfRom : public testing::Test {
- protected:
-  SetupOfRom() {
-    frame_.width = frame_.height = 200;
-    model_.rst_ni = 0;
-    model_.prim_ready_i = 1;
-    const auto state = spec::Packer<spec::FrameState>(contract_).pack(frame_);
-    std::memcpy(&model_.frame_i, state.data(), 4 * state.size());
-    clock(&model_);
-    model_.rst_ni = 1;
-  }
-
-  /// Feeds the triangles without a pause, and stalls the output `stalls` times in eight.
-  std::vector<spec::Packed> run(const std::vector<spec::Triangle>& triangles, int stalls,
-                                std::vector<int>* accepted) {
-    std::vector<spec::Packed> prims;
-    Rng rng(5);
-    size_t next = 0;
-    for (int cycle = 0; next < triangles.size() || !model_.idle_o; ++cycle) {
-      model_.tri_valid_i = next < triangles.size();
-      if (next < triangles.size()) {
-        const auto words = triangle_.pack(triangles[next]);
-        std::memcpy(&model_.tri_i, words.data(), 4 * words.size());
-      }
-      model_.prim_ready_i = rng.between(0, 7) >= stalls;
-      model_.eval();
-      if (model_.tri_valid_i && model_.tri_ready_o) accepted->push_back(cycle), ++next;
-      if (model_.prim_valid_o && model_.prim_ready_i) {
-        prims.emplace_back(static_cast<size_t>(prim_.words()));
-        std::memcpy(prims.back().data(), &model_.prim_o, 4 * prims.back().size());
-      }
-      clock(&model_);
-    }
-    return prims;
-  }
-
-  std::vector<spec::Triangle> random_triangles(size_t count) {
-    Rng rng(6);
-    std::vector<spec::Triangle> triangles(count);
-    for (spec::Triangle& t : triangles) {
-      for (spec::Vertex& v : t.v) {
-        v.x = static_cast<int32_t>(rng.between(0, 200 << 8));
-        v.y = static_cast<int32_t>(rng.between(0, 200 << 8));
-        v.z = rng.between(0, int64_t{0xffffff} << 8);
-        for (int a = 0; a < 4; ++a) {
-          v.attr[static_cast<size_t>(a)] = static_cast<int32_t>(rng.between(0, 255));
-        }
-      }
-    }
-    return triangles;
-  }
-
-  std::vector<spec::Packed> expected(const std::vector<spec::Triangle>& triangles) {
-    std::vector<spec::Packed> prims;
-    for (const spec::Triangle& t : triangles) {
-      spec::SetupPrim prim;
-      if (core::setup(contract_, frame_, t, &prim) == core::Drop::kNone) {
-        prims.push_back(prim_.pack(prim));
-      }
-    }
-    return prims;
-  }
-
-  const spec::Contract contract_ = contract_of("rom");
-  const spec::Packer<spec::Triangle> triangle_{contract_};
-  const spec::Packer<spec::SetupPrim> prim_{contract_};
-  spec::FrameState frame_;
-  Vsetup_rom model_;
-};
-
-TEST_F(SetupOfRom, MatchesModelAtTheDerivedRateAndUnderStalls) {
-  const auto triangles = random_triangles(2000);
-  std::vector<int> accepted;
-  EXPECT_EQ(run(triangles, 4, &accepted), expected(triangles));
-  accepted.clear();
-  EXPECT_EQ(run(std::vector<spec::Triangle>(20, triangles[0]), 0, &accepted).size(), 20u);
-  const int interval = contract_.width.setup_interval_cycles;
-  for (size_t i = 1; i < accepted.size(); ++i) EXPECT_EQ(accepted[i] - accepted[i - 1], interval);
-  EXPECT_EQ(interval, 10);
 }
 
 }  // namespace

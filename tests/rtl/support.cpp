@@ -1,5 +1,9 @@
 #include "tests/rtl/support.h"
 
+#include <map>
+#include <memory>
+
+#include "model/spec/design_file.h"
 #include "tb/scoreboard.h"
 
 namespace pineda::tb {
@@ -14,6 +18,17 @@ const RtlLibrary& mutant() {
   return library;
 }
 
+const RtlLibrary& raster_rtl(const std::string& design) {
+  static std::map<std::string, std::unique_ptr<RtlLibrary>> libraries;
+  auto& library = libraries[design];
+  if (!library) {
+    const auto contract =
+        spec::contract(spec::read_design(PINEDA_RASTER_DESIGNS "/" + design + ".toml"));
+    library = std::make_unique<RtlLibrary>(contract, PINEDA_RASTER_PLUGINS "/" + design + ".so");
+  }
+  return *library;
+}
+
 spec::FrameState random_state(vectors::Rng* rng, int width, int height) {
   spec::FrameState frame;
   frame.width = width;
@@ -23,9 +38,47 @@ spec::FrameState random_state(vectors::Rng* rng, int width, int height) {
   return frame;
 }
 
+spec::FrameState random_raster_state(vectors::Rng* rng, int width, int height,
+                                     const spec::Contract& c) {
+  spec::FrameState frame = random_state(rng, width, height);
+  frame.depth = static_cast<spec::DepthFunc>(rng->between(0, 8));
+  frame.depth_write = rng->between(0, 3) != 0;
+  frame.shade = rng->between(0, 3) == 0 ? spec::Shade::kFlat : spec::Shade::kSmooth;
+  if (rng->coin()) {
+    frame.scissor_x0 = static_cast<int>(rng->between(0, width));
+    frame.scissor_y0 = static_cast<int>(rng->between(0, height));
+    frame.scissor_x1 = static_cast<int>(rng->between(frame.scissor_x0, width + 8));
+    frame.scissor_y1 = static_cast<int>(rng->between(frame.scissor_y0, height + 8));
+  }
+  // None, a few codes, anything.
+  const int64_t constants[] = {0, 4, (int64_t{1} << (c.width.bias_constant - 1)) - 1};
+  const int64_t slopes[] = {0, 1 << spec::kBiasFactorFractionBits,
+                            (1 << (spec::kBiasSlopeBits - 1)) - 1};
+  const int64_t constant = constants[rng->between(0, 2)];
+  const int64_t slope = slopes[rng->between(0, 2)];
+  frame.bias_constant = rng->between(-constant, constant);
+  frame.bias_slope = static_cast<int32_t>(rng->between(-slope, slope));
+  return frame;
+}
+
+namespace {
+
+// 1/w of the vertices: near one another or far apart.
+void random_inverse_w(vectors::Rng* rng, const spec::Contract& c, spec::Triangle* t) {
+  const int64_t half = int64_t{1} << (c.design.inverse_w_bits - 1);
+  const int64_t ranges[] = {0, 3, 30, (1 << spec::kInverseWShiftBits) - 1};
+  const int64_t range = ranges[rng->between(0, 3)];
+  for (spec::Vertex& v : t->v) {
+    v.inverse_w = static_cast<int32_t>(rng->between(half, 2 * half - 1));
+    v.inverse_w_shift = static_cast<int32_t>(rng->between(0, range));
+  }
+  t->v[static_cast<size_t>(rng->between(0, 2))].inverse_w_shift = 0;
+}
+
+}  // namespace
+
 std::vector<spec::Triangle> random_triangles(vectors::Rng* rng, const spec::FrameState& frame,
-                                             int size_px, size_t count) {
-  const spec::Contract& c = rtl().contract();
+                                             int size_px, size_t count, const spec::Contract& c) {
   const int64_t px = int64_t{1} << c.design.subpixel_bits;
   const int64_t limit = px << c.design.guard_bits;
   const int64_t size = size_px * px;
@@ -43,13 +96,26 @@ std::vector<spec::Triangle> random_triangles(vectors::Rng* rng, const spec::Fram
       v.x = inside(x + rng->between(-size / 2, size / 2));
       v.y = inside(y + rng->between(-wide / 2, wide / 2));
       v.z = rng->between(0, ((int64_t{1} << c.design.depth_bits) - 1) << 8);
-      for (int a = 0; a < c.design.attributes; ++a) {
-        v.attr[static_cast<size_t>(a)] = static_cast<int32_t>(rng->between(0, 255));
+      for (int a = 0; a < spec::channels(c.design); ++a) {
+        v.attr[static_cast<size_t>(a)] =
+            static_cast<int32_t>(rng->between(0, (1 << c.design.attribute_bits) - 1));
       }
     }
+    if (c.design.perspective) random_inverse_w(rng, c, &t);
     if (i > 0 && rng->between(0, 15) == 0) t.v[0] = triangles[i - 1].v[2];
   }
   return triangles;
+}
+
+vectors::TraversalCase random_traversal(vectors::Rng* rng, const spec::Contract& c, int frame_px,
+                                        int size_px, size_t triangles) {
+  const auto width = static_cast<int>(rng->between(1, frame_px));
+  const auto height = static_cast<int>(rng->between(1, frame_px));
+  vectors::SetupCase setup;
+  setup.frame = random_raster_state(rng, width, height, c);
+  setup.in = random_triangles(rng, setup.frame, size_px, triangles, c);
+  const vectors::TraversalCase inputs{"random", setup.frame, vectors::run_model(c, setup).out, {}};
+  return vectors::run_model(c, inputs);
 }
 
 vectors::SetupCase run(SetupBench* bench, const vectors::SetupCase& inputs) {

@@ -17,6 +17,11 @@ namespace pineda::tb {
 const RtlLibrary& rtl();
 const RtlLibrary& mutant();
 
+/// Plug-ins of traversal and interpolation alone, for kinds of designs that no named one has; see
+/// designs/.
+inline constexpr const char* kRasterDesigns[] = {"many", "deep", "small", "bare", "sheer"};
+const RtlLibrary& raster_rtl(const std::string& design);
+
 /// The committed cases of a unit.
 template <class Case>
 std::vector<Case> committed_cases() {
@@ -27,8 +32,16 @@ std::vector<Case> committed_cases() {
 /// Triangles about `size_px` wide anywhere around the frame; one in eight is a needle, one in
 /// sixteen reuses the vertex of the one before, so that edges meet.
 std::vector<spec::Triangle> random_triangles(vectors::Rng* rng, const spec::FrameState& frame,
-                                             int size_px, size_t count);
+                                             int size_px, size_t count,
+                                             const spec::Contract& contract = rtl().contract());
 spec::FrameState random_state(vectors::Rng* rng, int width, int height);
+/// The same with all of the raster state.
+spec::FrameState random_raster_state(vectors::Rng* rng, int width, int height,
+                                     const spec::Contract& contract);
+
+/// Random triangles in a random raster state, through setup and traversal of the model.
+vectors::TraversalCase random_traversal(vectors::Rng* rng, const spec::Contract& contract,
+                                        int frame_px, int size_px, size_t triangles);
 
 /// A case's inputs on a bench: the case with what came out. The RTL does not tell the cause of a
 /// drop, so the expected ones stand.

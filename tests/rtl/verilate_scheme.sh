@@ -1,18 +1,19 @@
 #!/bin/sh
 # verilate_scheme.sh RTL TOP PACKAGE FOLDER VERILATOR [FAULT]: the module TOP as the archive
-# FOLDER/V<name>__ALL.a, named after the folder. FAULT is a sed command that makes a mutant; it must
-# change a source.
+# FOLDER/V<name>__ALL.a, named after the folder. TOP may have parameters behind it, as Verilator takes
+# them. FAULT is a sed command that makes a mutant; it must change a source.
 set -eu
 rtl=$1 top=$2 package=$3 folder=$4 verilator=$5
 name=$(basename "$folder")
 rm -rf "$folder"
 mkdir -p "$folder/rtl"
-cp "$rtl"/reciprocal*.sv "$rtl"/setup_*.sv "$folder/rtl"
+cp "$rtl"/reciprocal*.sv "$rtl"/setup_*.sv "$rtl"/lib/delay_line.sv "$folder/rtl"
 if [ $# -gt 5 ]; then
   sed -i "$6" "$folder"/rtl/*.sv
   changed=no
   for file in "$folder"/rtl/*.sv; do
-    cmp -s "$file" "$rtl/$(basename "$file")" || changed=yes
+    name_of=$(basename "$file")
+    cmp -s "$file" "$rtl/$name_of" || cmp -s "$file" "$rtl/lib/$name_of" || changed=yes
   done
   if [ $changed = no ]; then
     echo "verilate_scheme.sh: '$6' changes nothing" >&2
@@ -20,5 +21,5 @@ if [ $# -gt 5 ]; then
   fi
 fi
 "$verilator" --cc -O3 --x-assign fast --x-initial fast -Wall --prefix "V$name" --Mdir "$folder" \
-  --top-module "$top" "$rtl/lint/waivers.vlt" "$package" "$folder"/rtl/*.sv
+  --top-module $top "$rtl/lint/waivers.vlt" "$package" "$folder"/rtl/*.sv
 exec make -s -C "$folder" -f "V$name.mk" OPT_FAST=-O1 OPT_SLOW=-O0 "V${name}__ALL.a"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "model/exact/exact.h"
@@ -153,6 +154,68 @@ TEST(Clip, PiecesShareTheNumberOfTheirTriangle) {
                              [](const auto& a, const auto& b) { return a.id < b.id; }));
   source.rewind();
   EXPECT_TRUE(scene::same(first, all_triangles(&source)));
+}
+
+// A triangle from behind the eye to far before it: red where it lies left, blue where it is far.
+Mesh long_triangle() {
+  Mesh mesh;
+  mesh.position = {{-3, -1, 2}, {4, -1, -1}, {-1, -1, -40}};
+  mesh.normal.assign(3, {0, 1, 0});
+  mesh.color = {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}};
+  mesh.triangle = {{0, 1, 2}};
+  return mesh;
+}
+
+// The world's barycentric weights of the point of the plane y = -1 that a sample shows, by the
+// eye's ray: no clip space, no w.
+std::array<double, 3> weights_seen(const Mesh& mesh, double tangent, int size, int x, int y) {
+  const double dx = tangent * ((x + .5) * 2 / size - 1);
+  const double dy = tangent * (1 - (y + .5) * 2 / size);
+  const double distance = -1 / dy;
+  const double px = dx * distance, pz = -distance;
+  const auto area = [&](size_t i, size_t j) {
+    const Vec3 &a = mesh.position[i], &b = mesh.position[j];
+    return (a[0] - px) * (b[2] - pz) - (b[0] - px) * (a[2] - pz);
+  };
+  const double sum = area(0, 1) + area(1, 2) + area(2, 0);
+  return {area(1, 2) / sum, area(2, 0) / sum, area(0, 1) / sum};
+}
+
+TEST(MeshReader, WOfClippedPiecesGivesTheColoursOfTheWholeTriangle) {
+  constexpr int kSize = 96;
+  const Mesh mesh = long_triangle();
+  const Camera camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 60};
+  MeshReader reader(mesh, camera_view(camera, mesh, kSize, kSize), kSize, kSize, 14);
+  Counters counters;
+  int samples = 0;
+  double worst = 0, worst_affine = 0;
+  for (ScreenTriangle t; reader.read(&t, &counters);) {
+    exact::ScreenTriangle stated;
+    for (size_t i = 0; i < 3; ++i) {
+      const ScreenVertex& v = t.v[i];
+      EXPECT_GT(v.w, 0);
+      stated[i] = {v.x, v.y, v.z, v.w, {v.rgba[0], v.rgba[1], v.rgba[2], v.rgba[3]}};
+    }
+    const exact::ScreenJudge judge(stated, {}, {kSize, kSize});
+    std::vector<exact::Sample> row;
+    for (int y = judge.rows().first; y <= judge.rows().last; ++y) judge.row(y, true, &row);
+    for (const exact::Sample& s : row) {
+      const auto weights = weights_seen(mesh, std::tan(M_PI / 6), kSize, s.x, s.y);
+      ++samples;
+      for (size_t k = 0; k < 3; ++k) {
+        const double seen = 255 * weights[k];
+        const auto error = [&](const exact::Value& v) {
+          return std::abs(static_cast<double>(v.whole) + v.fraction - seen);
+        };
+        worst = std::max(worst, error(s.perspective[k]));
+        worst_affine = std::max(worst_affine, error(s.affine[k]));
+      }
+    }
+  }
+  EXPECT_EQ(counters.clipped, 1u);
+  EXPECT_GT(samples, 1000);
+  EXPECT_LT(worst, 1.5);  // the colours of cut vertices are whole numbers, positions are snapped
+  EXPECT_GT(worst_affine, 50);
 }
 
 }  // namespace

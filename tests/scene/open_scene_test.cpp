@@ -44,7 +44,16 @@ TEST(OpenScene, OptionsThatCannotBeHonouredAreRefused) {
   EXPECT_TRUE(is_one_line_with(error_of("a.ptrb", deep), "expected no depth option"));
   EXPECT_TRUE(is_one_line_with(error_of(tri, seen), "expected no camera"));
   EXPECT_TRUE(is_one_line_with(error_of("grid", seen), "expected no camera"));
-  for (const Options& own : {sized, culled, deep}) {
+  Options cut, unwritten, biased, shaded;
+  cut.scissor = Scissor{0, 0, 8, 8};
+  unwritten.depth_write = true;
+  biased.depth_bias = DepthBias{};
+  shaded.shade = spec::Shade::kSmooth;
+  EXPECT_TRUE(is_one_line_with(error_of(tri, cut), "expected no scissor option: the file states"));
+  EXPECT_TRUE(is_one_line_with(error_of("-", unwritten), "expected no depth write option"));
+  EXPECT_TRUE(is_one_line_with(error_of(tri, biased), "expected no depth bias option"));
+  EXPECT_TRUE(is_one_line_with(error_of("a.ptrb", shaded), "expected no shade option"));
+  for (const Options& own : {sized, culled, deep, cut, unwritten, biased, shaded}) {
     EXPECT_TRUE(is_one_line_with(error_of("hard/fan", own), "option: the case states its own"));
   }
   EXPECT_TRUE(is_one_line_with(error_of("grid", fine), "expected no tessellation"));
@@ -92,13 +101,55 @@ TEST(OpenScene, BuiltInScenesRewindToTheSameTriangles) {
     EXPECT_EQ(opened.name, name);
     EXPECT_FALSE(first.empty());
     // Only the hard cases hold what must be said.
-    EXPECT_TRUE(notes(counted).empty() || !built_in.right_answer.empty()) << name;
+    EXPECT_TRUE(notes(opened).empty() || !built_in.right_answer.empty()) << name;
     EXPECT_FALSE(built_in.summary.empty()) << name;
     opened.source->rewind();
     EXPECT_TRUE(same(first, all_triangles(opened.source.get())));
     EXPECT_TRUE(same(first, all_triangles(again.source.get())));
     EXPECT_EQ(opened.source->counters().triangles, counted.triangles);
   }
+}
+
+TEST(OpenScene, StateReachesTheScene) {
+  Options options;
+  options.depth = spec::DepthFunc::kNotequal;
+  options.scissor = Scissor{1, 2, 30, 40};
+  options.depth_write = false;
+  options.depth_bias = DepthBias{-3, {64, true}};
+  options.shade = spec::Shade::kFlat;
+  for (const char* name : {"teapot", "triangle", "grid"}) {
+    const auto opened = open_scene(kContract, name, options);
+    EXPECT_EQ(opened.frame.depth, spec::DepthFunc::kNotequal);
+    EXPECT_EQ(unusual_state(opened.frame),
+              "scissor 1,2,30,40 px, depth write off, depth bias -3,0.25, shade flat");
+    EXPECT_EQ(opened.source->counters().rounded_slope, 1u) << name;
+  }
+}
+
+TEST(OpenScene, WhatADesignDoesNotDrawIsSaid) {
+  const auto said = [](const spec::Design& design, const spec::FrameState& frame) {
+    std::string all;
+    for (const auto& note : notes(design, frame, {})) all += note + "\n";
+    return all;
+  };
+  const auto holds = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  spec::FrameState frame;
+  for (const spec::Design& d : spec::designs()) {
+    EXPECT_EQ(said(d, frame).empty(), std::string(d.name) != "flat") << d.name;
+  }
+  const spec::Design& flat = *spec::find_design("flat");
+  EXPECT_TRUE(holds(said(flat, frame), "design flat has no depth"));
+  EXPECT_TRUE(holds(said(flat, frame), "design flat shades flat"));
+  frame.depth = spec::DepthFunc::kOff;
+  frame.shade = spec::Shade::kFlat;
+  EXPECT_EQ(said(flat, frame), "");
+  spec::Design two = spec::kHighTile;
+  two.attributes = 2;
+  EXPECT_TRUE(holds(said(two, {}), "draws the first 2 of the colour's 4 channels"));
+  two.flat_attributes = 2;
+  EXPECT_TRUE(holds(said(two, {}), "shades 2 channels flat"));
 }
 
 TEST(OpenScene, SizeStateAndTessellationReachTheScene) {

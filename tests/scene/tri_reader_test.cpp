@@ -24,6 +24,9 @@ std::string scene(const std::string& state, const std::string& vertices = kTrian
   return "pineda-tri 1\n" + state + vertices;
 }
 
+// A scene whose third line is `line`.
+std::string state(const std::string& line) { return scene("size 8 8\n" + line + "\n"); }
+
 // A scene whose third line, the first vertex, is `line`.
 std::string with_vertex(const std::string& line) {
   return scene("size 8 8\n", line + "\nv 5 1 0 1 0 0 0 0\nv 1 5 0 1 0 0 0 0\n");
@@ -57,21 +60,48 @@ const std::vector<Refusal> kRefusals = {
     {"DepthTwice", scene("size 8 8\ndepth off\ndepth off\n"), ":4: expected each state line once"},
     {"CullUnknown", scene("size 8 8\ncull left\n"), ":3: expected cull none, back or front"},
     {"CullWithoutWord", scene("size 8 8\ncull\n"), ":3: expected 2 words"},
-    {"DepthUnknown", scene("size 8 8\ndepth deep\n"), ":3: expected depth less, lequal or off"},
+    {"DepthUnknown", scene("size 8 8\ndepth deep\n"),
+     ":3: expected depth less, lequal, off, never, "
+     "equal, greater, notequal, gequal or always"},
     {"StateAfterVertex", scene("size 8 8\n", kTriangle + "cull none\n" + kTriangle),
      ":6: expected state lines before the first v"},
     {"SizeAfterVertex", scene("size 8 8\n", kTriangle + "size 8 8\n" + kTriangle),
      ":6: expected state lines before the first v"},
-    {"UnknownKeyword", scene("size 8 8\ncolour red\n"), ":3: expected size, cull, depth or v"},
+    {"UnknownKeyword", scene("size 8 8\ncolour red\n"),
+     ":3: expected size, cull, depth, "
+     "scissor, depthwrite, depthbias, shade, or v"},
     {"UnknownKeywordAfterVertex", scene("size 8 8\n", kTriangle + "triangle\n"),
      ":6: expected a vertex 'v X Y Z W R G B A'"},
-    {"Scissor", scene("size 8 8\nscissor 0 0 4 4\n"), ":3: expected no 'scissor' line: this ver"},
-    {"DepthWrite", scene("size 8 8\ndepthwrite on\n"), ":3: expected no 'depthwrite' line: this"},
-    {"DepthBias", scene("size 8 8\ndepthbias 1 1\n"), ":3: expected no 'depthbias' line: this ve"},
-    {"Shade", scene("size 8 8\nshade smooth\n"), ":3: expected no 'shade' line: this version"},
-    {"DepthNever", scene("size 8 8\ndepth never\n"), ":3: expected depth less, lequal or off: thi"},
-    {"DepthGequal", scene("size 8 8\ndepth gequal\n"), ":3: expected depth less, lequal or off: t"},
-    {"DepthAlways", scene("size 8 8\ndepth always\n"), ":3: expected depth less, lequal or off: t"},
+    {"ScissorTwice", state("scissor 0 0 4 4\nscissor 0 0 4 4"),
+     ":4: expected each state line once"},
+    {"ScissorOfThree", state("scissor 0 0 4"), ":3: expected 5 words 'scissor X Y WIDTH HEIGHT'"},
+    {"ScissorLeftOfTheFrame", state("scissor -1 0 4 4"), ":3: expected a column from 0 to"},
+    {"ScissorAboveTheFrame", state("scissor 0 -1 4 4"), ":3: expected a row from 0 to"},
+    {"ScissorOfNegativeWidth", state("scissor 0 0 -4 4"), ":3: expected a width from 0 to"},
+    {"ScissorOfNegativeHeight", state("scissor 0 0 4 -4"), ":3: expected a height from 0 to"},
+    {"ScissorNotAnInteger", state("scissor 0 0 4.5 4"),
+     ":3: expected a width from 0 to 2147483647"},
+    {"DepthWriteUnknown", state("depthwrite yes"), ":3: expected depthwrite off or on"},
+    {"DepthWriteTwice", state("depthwrite on\ndepthwrite on"), ":4: expected each state line once"},
+    {"DepthBiasOfOne", state("depthbias 1"), ":3: expected 3 words 'depthbias CONSTANT SLOPE'"},
+    {"DepthBiasTwice", state("depthbias 1 1\ndepthbias 1 1"), ":4: expected each state line once"},
+    {"BiasConstantNotWhole", state("depthbias 1.5 0"), ":3: expected a bias in whole depth codes"},
+    {"BiasConstantOfAllCodes", state("depthbias 16777216 0"),
+     ":3: expected a bias in whole depth codes from -16777215 to 16777215, got '16777216'"},
+    {"BiasConstantTooNegative", state("depthbias -16777216 0"), ":3: expected a bias in whole"},
+    {"BiasConstantBeyondAnInt64", state("depthbias 99999999999999999999 0"), ":3: expected a bias"},
+    {"BiasSlopeTooGreat", state("depthbias 0 128"),
+     ":3: expected a slope factor from -128 to less than 128, got '128'"},
+    {"BiasSlopeTooNegative", state("depthbias 0 -128.001"), ":3: expected a slope factor"},
+    {"BiasSlopeNan", state("depthbias 0 nan"), ":3: expected a slope factor"},
+    {"BiasSlopeInfinite", state("depthbias 0 -inf"), ":3: expected a slope factor"},
+    {"BiasSlopeNoNumber", state("depthbias 0 1,5"), ":3: expected a slope factor"},
+    {"ShadeUnknown", state("shade gouraud"), ":3: expected shade smooth or flat"},
+    {"ShadeTwice", state("shade flat\nshade smooth"), ":4: expected each state line once"},
+    {"ShadeAfterVertex", scene("size 8 8\n", kTriangle + "shade flat\n"),
+     ":6: expected state lines before the first v"},
+    {"ScissorInsideTriangle", scene("size 8 8\n", "v 1 1 0 1 0 0 0 0\nscissor 0 0 1 1\n"),
+     ":4: expected state lines before the first v"},
     {"TooFewNumbers", with_vertex("v 1 1 0 1 0 0 0"), ":3: expected 9 words 'v X Y Z W R G B A'"},
     {"TooManyNumbers", with_vertex("v 1 1 0 1 0 0 0 0 0"), ":3: expected 9 words"},
     {"InlineComment", with_vertex("v 1 1 0 1 0 0 0 0 # here"), ":3: expected 9 words"},
@@ -158,13 +188,89 @@ TEST(TriReader, TakesEveryFormThatStrtofReads) {
   EXPECT_EQ(c.perspective, 0u);
 }
 
+TEST(TriReader, EveryDepthFunctionHasItsWord) {
+  const Scratch scratch;
+  using F = spec::DepthFunc;
+  const std::vector<std::pair<const char*, F>> functions{
+      {"less", F::kLess},         {"lequal", F::kLequal}, {"off", F::kOff},
+      {"never", F::kNever},       {"equal", F::kEqual},   {"greater", F::kGreater},
+      {"notequal", F::kNotequal}, {"gequal", F::kGequal}, {"always", F::kAlways}};
+  for (const auto& [word, function] : functions) {
+    const auto opened = open_text(scratch, state(std::string("depth ") + word));
+    EXPECT_EQ(opened.frame.depth, function) << word;
+  }
+}
+
+TEST(TriReader, ReadsTheWholeState) {
+  const Scratch scratch;
+  const auto opened = open_text(
+      scratch, state("shade flat\ndepthwrite off\nscissor 1 2 3 4\ndepthbias -16777215 -1.5"));
+  for (int pass = 0; pass < 2; ++pass) {
+    const spec::FrameState& f = opened.frame;
+    EXPECT_EQ(f.shade, spec::Shade::kFlat);
+    EXPECT_FALSE(f.depth_write);
+    EXPECT_EQ(f.scissor_x0, 1);
+    EXPECT_EQ(f.scissor_y0, 2);
+    EXPECT_EQ(f.scissor_x1, 4);
+    EXPECT_EQ(f.scissor_y1, 6);
+    EXPECT_EQ(f.bias_constant, -16777215);
+    EXPECT_EQ(f.bias_slope, -384);
+    EXPECT_EQ(opened.source->counters().rounded_slope, 0u);
+    EXPECT_EQ(all_triangles(opened.source.get()).size(), 1u);
+    opened.source->rewind();
+  }
+  EXPECT_EQ(unusual_state(opened.frame),
+            "scissor 1,2,3,4 px, depth write off, depth bias -16777215,-1.5, shade flat");
+  EXPECT_EQ(unusual_state(open_text(scratch, state("depth off")).frame), "");
+}
+
+TEST(TriReader, AScissorBeyondTheFrameIsClipped) {
+  const Scratch scratch;
+  const auto clip = [&](const std::string& line) {
+    const spec::FrameState f = open_text(scratch, state("scissor " + line)).frame;
+    return std::array<int, 4>{f.clip_x0(), f.clip_y0(), f.clip_x1(), f.clip_y1()};
+  };
+  using Box = std::array<int, 4>;
+  EXPECT_EQ(clip("0 0 2147483647 2147483647"), (Box{0, 0, 8, 8}));
+  EXPECT_EQ(clip("2147483647 5 2147483647 2147483647"), (Box{8, 5, 8, 8}));
+  EXPECT_EQ(clip("7 8 9 1"), (Box{7, 8, 8, 8}));
+  EXPECT_EQ(clip("3 3 0 5"), (Box{3, 3, 3, 8}));
+}
+
+TEST(TriReader, SlopeFactorsGoToTheNearestMultipleAndThatIsCounted) {
+  const Scratch scratch;
+  const auto bias = [&](const std::string& slope, bool rounded) {
+    const auto opened = open_text(scratch, state("depthbias 0 " + slope));
+    all_triangles(opened.source.get());
+    EXPECT_EQ(opened.source->counters().rounded_slope, rounded ? 1u : 0u) << slope;
+    EXPECT_EQ(notes(opened).size(), rounded ? 1u : 0u) << slope;
+    opened.source->rewind();
+    EXPECT_EQ(opened.source->counters().rounded_slope, rounded ? 1u : 0u) << slope;
+    return opened.frame.bias_slope;
+  };
+  EXPECT_EQ(bias("-128", false), -32768);
+  EXPECT_EQ(bias("127.99609375", false), 32767);
+  EXPECT_EQ(bias("1e-9", true), 0);
+  EXPECT_EQ(bias("0.1", true), 26);    // 25.6
+  EXPECT_EQ(bias("0x1p-9", true), 0);  // halves to even
+  EXPECT_EQ(bias("-0x3p-9", true), -2);
+  EXPECT_EQ(bias("127.999", true), 32767);  // below 128 it stays
+  EXPECT_EQ(bias("-127.999", true), -32768);
+}
+
 TEST(TriReader, CountsVerticesWhoseColoursWouldNeedPerspective) {
   const Scratch scratch;
-  const auto opened = open_text(scratch, with_vertex("v 1 1 0 2 0 0 0 0"));
+  const auto path = scratch.write("w.tri", with_vertex("v 1 1 0 2 0 0 0 0"));
+  const auto opened = open_scene(kContract, path, {});
   all_triangles(opened.source.get());
   EXPECT_EQ(opened.source->counters().perspective, 1u);
-  ASSERT_EQ(notes(opened.source->counters()).size(), 1u);
-  EXPECT_NE(notes(opened.source->counters())[0].find("1 vertices with W"), std::string::npos);
+  ASSERT_EQ(notes(opened).size(), 1u);
+  EXPECT_NE(notes(opened)[0].find("1 vertices with W"), std::string::npos);
+  // Nothing to say where the design interpolates with it, or does not interpolate.
+  const auto corrected = open_scene(spec::contract(*spec::find_design("persp")), path, {});
+  all_triangles(corrected.source.get());
+  EXPECT_EQ(corrected.source->counters().perspective, 1u);
+  EXPECT_TRUE(notes(corrected).empty());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "model/spec/package.h"
@@ -86,6 +87,17 @@ TEST(DesignFile, RefusesWithFileLineAndWhatWasExpected) {
     }
   }
   EXPECT_THROW(read_design("no/such/file.toml"), DesignFileError);
+}
+
+// What differs from a named design says all, in few lines.
+TEST(DesignFile, DifferencesFromANamedDesignAreReadBack) {
+  for (const Design& d : designs()) {
+    for (const Design& base : designs()) {
+      EXPECT_EQ(design_toml(parse_design(design_toml(d, base), "d.toml")), design_toml(d));
+    }
+    const std::string text = design_toml(d, d);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;  // base, name, summary
+  }
 }
 
 }  // namespace

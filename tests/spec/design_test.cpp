@@ -40,9 +40,10 @@ TEST(InvalidReason, NamesTheParameterThatIsOutOfRange) {
       {"subpixel_bits", &Design::subpixel_bits, 13},
       {"guard_bits", &Design::guard_bits, 15},
       {"depth_bits", &Design::depth_bits, 15},
-      {"depth_bits", &Design::depth_bits, 25},
+      {"depth_bits", &Design::depth_bits, 33},
       {"attributes", &Design::attributes, -1},
       {"attributes", &Design::attributes, kMaxAttributes + 1},
+      {"flat_attributes", &Design::flat_attributes, kMaxAttributes - 3},  // with four others
       {"attribute_bits", &Design::attribute_bits, 0},
       {"attribute_bits", &Design::attribute_bits, 17},
       {"reciprocal_lut_bits", &Design::reciprocal_lut_bits, 3},

@@ -39,4 +39,71 @@ inline constexpr Design kSchemes[] = {
     small(scheme_design("restoring2_small", ReciprocalScheme::kRestoring2, 0, 0, 19)),
 };
 
+/// Setups that no named design has: each style without parts that the named ones have, at the
+/// greatest widths, and with every scheme that it may have.
+constexpr Design setup_design(const char* name, SetupStyle style, Design d) {
+  d.name = name;
+  d.setup_style = style;
+  return d;
+}
+
+/// The widest of all formats: 32 bits of depth, so numerators beyond 64 bits. With hierarchical z.
+constexpr Design z32(Design d) {
+  d.hierarchical_z = true;
+  d.subpixel_bits = 12;
+  d.depth_bits = 32;
+  d.attributes = 1;
+  d.attribute_bits = 16;
+  d.gradient_fraction_bits = d.tile_fraction_bits = 20;
+  return d;
+}
+
+constexpr Design z16(Design d) {
+  d.depth_bits = 16;
+  d.attributes = 0;
+  d.flat_attributes = 1;
+  return d;
+}
+
+/// Attributes alone; k = F + S, so that a gradient's shift can be 0.
+constexpr Design affine(Design d) {
+  d.depth_test = false;
+  d.attributes = 3;
+  d.attribute_bits = 10;
+  d.flat_attributes = 2;
+  d.subpixel_bits = d.reciprocal_bits - d.gradient_fraction_bits;
+  return d;
+}
+
+constexpr Design perspective(Design d, bool depth_test) {
+  d.perspective = true;
+  d.depth_test = depth_test;
+  return d;
+}
+
+/// No planes.
+constexpr Design edges(Design d) {
+  d.depth_test = false;
+  d.attributes = 0;
+  d.flat_attributes = 4;
+  return d;
+}
+
+inline constexpr Design kNewton32 = scheme_design("", ReciprocalScheme::kNewton, 8, 2, 32);
+inline constexpr Design kRestoring32 = scheme_design("", ReciprocalScheme::kRestoring4, 0, 0, 32);
+inline constexpr Design kSetups[] = {
+    setup_design("stepped_z32", SetupStyle::kStepped, z32(kNewton32)),
+    setup_design("stepped_affine", SetupStyle::kStepped, affine(kSchemes[2])),
+    setup_design("pipelined_z32", SetupStyle::kPipelined, z32(kNewton32)),
+    setup_design("pipelined_z16", SetupStyle::kPipelined, z16(kSchemes[0])),
+    setup_design("pipelined_affine", SetupStyle::kPipelined, affine(kSchemes[2])),
+    setup_design("pipelined_persp", SetupStyle::kPipelined, perspective(kHighTile, true)),
+    setup_design("pipelined_edges", SetupStyle::kPipelined, edges(kHighTile)),
+    setup_design("serial_z32", SetupStyle::kSerial, z32(kRestoring32)),
+    setup_design("serial_z16", SetupStyle::kSerial, z16(kSchemes[0])),
+    setup_design("serial_high", SetupStyle::kSerial, kHighTile),
+    setup_design("serial_affine", SetupStyle::kSerial, affine(kSchemes[2])),
+    setup_design("serial_persp", SetupStyle::kSerial, perspective(kHighTile, false)),
+};
+
 }  // namespace pineda::spec

@@ -14,15 +14,18 @@ namespace {
 
 TEST(DesignPoints, EachCoversTheRightSamplesOfSixClassesWithinItsBounds) {
   DesignPointOptions options;
-  options.designs = spec::designs();
+  for (const spec::Design& d : spec::designs()) {
+    if (same_formats(d, spec::kHighTile)) options.designs.push_back(d);
+  }
+  ASSERT_EQ(options.designs.size(), spec::designs().size() - 1);  // all but tiny
   options.triangles = 400;
   const auto points = study_design_points(options);
-  ASSERT_EQ(points.size(), spec::designs().size());
   for (const DesignPoint& p : points) {
     EXPECT_EQ(p.wrong_samples, 0u) << p.design.name;
     EXPECT_TRUE(p.broken.empty()) << p.design.name << ": " << p.broken.front();
     EXPECT_GT(p.samples, 500000u);
-    EXPECT_GE(p.max_depth_ulp, .49);  // rounding alone: that much was measured
+    // Rounding alone: that much was measured.
+    EXPECT_GE(p.max_depth_ulp, p.design.depth_test ? .49 : 0);
   }
 }
 

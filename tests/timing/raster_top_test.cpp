@@ -35,28 +35,28 @@ class RasterTopTiming : public testing::Test {
 };
 
 // Accepted in 2, set up in 21, its tile tested in 23, its stamp in 25, sent in 26, its read in 27,
-// the response there in 36, the writes in 37.
-TEST_F(RasterTopTiming, OneStampTakesThirtyEightCycles) {
+// the response there in 36, the depth write in 37, the colour's behind its interpolation in 38.
+TEST_F(RasterTopTiming, OneStampTakesThirtyNineCycles) {
   const auto result = run({{2, 2}, {cover()}});
   EXPECT_EQ(cycles_of(record_.prims), Cycles{21});
   EXPECT_EQ(cycles_of(record_.stamps), Cycles{26});
   EXPECT_EQ(cycles_of(record_.depths), Cycles{37});
-  EXPECT_EQ(cycles_of(record_.colors), Cycles{37});
-  EXPECT_EQ(result.cycles, 38);
-  EXPECT_EQ(result.drained_cycles, 38);
+  EXPECT_EQ(cycles_of(record_.colors), Cycles{38});
+  EXPECT_EQ(result.cycles, 39);
+  EXPECT_EQ(result.drained_cycles, 39);
 }
 
 TEST_F(RasterTopTiming, EachCycleOfLatencyCostsOne) {
   for (int latency = 1; latency <= 64; ++latency) {
     top_.set_depth_latency_cycles(latency);
-    EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 30 + latency);
+    EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 31 + latency);
   }
 }
 
 TEST_F(RasterTopTiming, DepthOffDoesNotWaitForTheMemory) {
   top_.set_depth_latency_cycles(64);
   const auto result = run({{2, 2, spec::Cull::kNone, spec::DepthFunc::kOff}, {cover(), cover()}});
-  EXPECT_EQ(cycles_of(record_.colors), (Cycles{30, 42}));
+  EXPECT_EQ(cycles_of(record_.colors), (Cycles{31, 43}));
   EXPECT_TRUE(record_.depths.empty());
   EXPECT_EQ(result.interp_ztest.hazard, 0);
 }
@@ -82,14 +82,14 @@ TEST_F(RasterTopTiming, HazardDoesNotDependOnDepth) {
   top_.set_depth_latency_cycles(64);
   const auto result = run({{2, 2}, {cover(1000), cover(2000), cover(500)}});
   EXPECT_EQ(cycles_of(record_.depths), (Cycles{93, 227}));
-  EXPECT_EQ(result.cycles, 228);
+  EXPECT_EQ(result.cycles, 229);
 }
 
 TEST_F(RasterTopTiming, StampEveryCycleAtTheLongestLatency) {
   top_.set_depth_latency_cycles(64);
   const auto result = run({{64, 64}, {cover()}});
   ASSERT_EQ(record_.colors.size(), 1024u);
-  for (size_t i = 0; i < 1024; ++i) ASSERT_EQ(record_.colors[i].cycle, 93 + i);
+  for (size_t i = 0; i < 1024; ++i) ASSERT_EQ(record_.colors[i].cycle, 94 + i);
   EXPECT_EQ(result.stamps.busy, 1024);
   EXPECT_EQ(result.interp_ztest.busy, 1024);
   EXPECT_EQ(result.interp_ztest.blocked, 0);
@@ -110,7 +110,7 @@ TEST_F(RasterTopTiming, FullTableBlocksUntilTheOldestStampIsWritten) {
 TEST_F(RasterTopTiming, ClearThatWaitsDelaysTheFirstTriangle) {
   top_.set_ready(
       [](ExternalPort port, Cycle cycle) { return port != ExternalPort::kClear || cycle >= 11; });
-  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 38 + 10);
+  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 39 + 10);
   EXPECT_EQ(run({{2, 2}, {}}).cycles, 12);
 }
 
@@ -121,7 +121,6 @@ Record core_record(const Scene& scene, core::FrameCounters* counters, core::Fram
     Record record;
     void prim(const spec::SetupPrim& t) { record.prims.push_back({0, t}); }
     void stamp(const spec::Stamp& t) { record.stamps.push_back({0, t}); }
-    void fragment(const spec::Stamp&, const spec::Fragment&) {}
     void depth(const spec::DepthWrite& t) { record.depths.push_back({0, t}); }
     void color(const spec::ColorWrite& t) { record.colors.push_back({0, t}); }
   } sink;
@@ -202,7 +201,7 @@ void report_on_stderr() { dup2(STDERR_FILENO, STDOUT_FILENO); }
 TEST_F(RasterTopTiming, LatencyOutsideTheDesignIsRefused) {
   EXPECT_THROW(top_.set_depth_latency_cycles(0), std::invalid_argument);
   EXPECT_THROW(top_.set_depth_latency_cycles(65), std::invalid_argument);
-  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 38);  // still that of the design
+  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 39);  // still that of the design
 }
 
 TEST_F(RasterTopTiming, FrameOutsideTheGuardBandIsRefused) {
@@ -220,7 +219,7 @@ TEST_F(RasterTopTiming, FailureOfThePullComesBackAndTheNextFrameIsClean) {
   EXPECT_THROW(top_.run({2, 2}, pull), std::runtime_error);
   EXPECT_EQ(left, -1);
   EXPECT_EQ(top_.buffer().depth[0], 1000u);  // the triangles before it are drawn
-  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 38);
+  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 39);
 }
 
 TEST_F(RasterTopTiming, PortThatIsNeverReadyIsFatal) {

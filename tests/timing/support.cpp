@@ -1,5 +1,7 @@
 #include "tests/timing/support.h"
 
+#include <algorithm>
+
 namespace pineda::test {
 
 namespace {
@@ -73,6 +75,33 @@ spec::Triangle random_triangle(Random* random, const spec::FrameState& frame, Ki
   return t;
 }
 
+// What the units look at beside size, cull state and the common depth functions.
+void randomize_state(Random* random, spec::FrameState* frame) {
+  if (random->in(0, 2) == 0) frame->depth = static_cast<spec::DepthFunc>(random->in(0, 8));
+  frame->depth_write = random->in(0, 3) != 0;
+  if (random->in(0, 3) == 0) {
+    frame->scissor_x0 = static_cast<int>(random->in(0, frame->width / 2));
+    frame->scissor_y1 = static_cast<int>(random->in(frame->height / 2, frame->height));
+  }
+  if (random->in(0, 1) == 0) frame->bias_slope = static_cast<int32_t>(random->in(-600, 600));
+}
+
+// From the formats of the default design to those of another; 1/w of any ratio.
+void fit(Random* random, const spec::Contract& contract, spec::Triangle* t) {
+  const spec::Design& d = contract.design;
+  const int finer = spec::kHighTile.subpixel_bits - d.subpixel_bits;
+  const int32_t limit = 1 << (d.guard_bits + d.subpixel_bits);
+  for (spec::Vertex& v : t->v) {
+    v.x = std::clamp(v.x >> finer, -limit, limit - 1);
+    v.y = std::clamp(v.y >> finer, -limit, limit - 1);
+    v.z >>= spec::kHighTile.depth_bits - d.depth_bits;
+    if (!d.perspective) continue;
+    const int64_t half = int64_t{1} << (d.inverse_w_bits - 1);
+    v.inverse_w = static_cast<int32_t>(random->in(half, 2 * half - 1));
+    v.inverse_w_shift = &v == &t->v[0] ? 0 : static_cast<int32_t>(random->in(0, 20));
+  }
+}
+
 }  // namespace
 
 timing::Pull pull_from(const Scene& scene) {
@@ -100,7 +129,7 @@ const char* kind_name(Kind kind) {
   return kNames[static_cast<int>(kind)];
 }
 
-Scene random_scene(Kind kind, uint64_t seed, int triangles) {
+Scene random_scene(Kind kind, uint64_t seed, int triangles, const spec::Contract& contract) {
   Random random(seed);
   Scene scene;
   scene.frame.width = static_cast<int>(random.in(1, 150));
@@ -112,6 +141,8 @@ Scene random_scene(Kind kind, uint64_t seed, int triangles) {
     scene.triangles.push_back(random_triangle(&random, scene.frame, kind));
     scene.triangles.back().id = static_cast<uint32_t>(i);
   }
+  randomize_state(&random, &scene.frame);
+  for (spec::Triangle& t : scene.triangles) fit(&random, contract, &t);
   return scene;
 }
 

@@ -39,7 +39,9 @@ enum class Kind {
 inline constexpr Kind kKinds[] = {Kind::kSmall,    Kind::kMedium,   Kind::kHuge, Kind::kNeedles,
                                   Kind::kOneStamp, Kind::kOneStack, Kind::kMixed};
 const char* kind_name(Kind kind);
-Scene random_scene(Kind kind, uint64_t seed, int triangles);
+/// In any raster state; the triangles fitted into the formats of the design.
+Scene random_scene(Kind kind, uint64_t seed, int triangles,
+                   const spec::Contract& contract = kContract);
 
 /// A token and the cycle of its handshake.
 template <class T>

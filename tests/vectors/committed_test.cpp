@@ -72,7 +72,8 @@ TYPED_TEST(Committed, HoldsTheHardCasesOfEveryUnit) {
         "huge_corners",   "huge_window",     "odd_frame",       "outside",      "no_sample",
         "tile_corner",    "tile_border",     "needle",          "micro",        "cull",
         "value_extremes", "format_extremes", "coplanar",        "equal_depth",  "depth_limits",
-        "back_to_back",   "alternating",     "intersecting",    "depth_off"}) {
+        "back_to_back",   "alternating",     "intersecting",    "depth_off",    "depth_function",
+        "scissor",        "depth_bias",      "flat_shading"}) {
     EXPECT_EQ(present.count(name), 1u) << name;
   }
 }

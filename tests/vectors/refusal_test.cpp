@@ -112,7 +112,7 @@ TEST_F(Refusal, OneDigitOfAnOutputChanged) {
 
 TEST_F(Refusal, ColumnsOfOtherNames) {
   expect_refusal(refusal<SetupCase>(changed(setup_, "width height", "height width")), 9,
-                 "'columns frame width height cull depth'");
+                 "'columns frame width height cull depth depth_write");
 }
 
 TEST_F(Refusal, CutInsideALine) {
@@ -153,8 +153,10 @@ TEST_F(Refusal, ValueWiderThanItsField) {
 TEST_F(Refusal, ColumnTooMany) {
   expect_refusal(refusal<SetupCase>(changed(setup_, "drop zero_area", "drop zero_area 0")),
                  line_of(setup_, "drop"), "'drop' and zero_area");
-  expect_refusal(refusal<SetupCase>(changed(setup_, "0007 0006 0 0\n", "0007 0006 0 0 0\n")),
-                 line_of(setup_, "\nframe") + 1, "4 columns of frame, got 5");
+  const int number = line_of(setup_, "\nframe") + 1;
+  const std::string frame = line(setup_, number);
+  expect_refusal(refusal<SetupCase>(changed(setup_, frame, frame + " 0")), number,
+                 "12 columns of frame, got 13");
 }
 
 TEST_F(Refusal, UnknownCauseOfADrop) {
@@ -174,7 +176,7 @@ TEST_F(Refusal, StateThatMeansNothing) {
   };
   expect_refusal(with("frame 0000 0006 0 0"), number, "a frame of at least 1 x 1 px");
   expect_refusal(with("frame 0007 0006 3 0"), number, "cull 0, 1 or 2");
-  expect_refusal(with("frame 0007 0006 0 3"), number, "depth 0, 1 or 2");
+  expect_refusal(with("frame 0007 0006 0 9"), number, "depth 0 to 8");
 }
 
 TEST_F(Refusal, FrameTooLargeForMemory) {

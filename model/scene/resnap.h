@@ -1,0 +1,36 @@
+// A scene that is open, snapped once more for another design.
+#pragma once
+
+#include "model/scene/snap.h"
+
+namespace pineda::scene {
+
+/// The triangles that a source reads, as they were before it snapped them. What the source dropped
+/// or clipped stays so; snapping is counted anew.
+class Unsnapped final : public ScreenReader {
+ public:
+  explicit Unsnapped(SnappedSource* source) : source_(source) {}
+  explicit Unsnapped(std::unique_ptr<SnappedSource> source)
+      : owned_(std::move(source)), source_(owned_.get()) {}
+
+  bool read(ScreenTriangle* triangle, Counters* counters) override {
+    const Counters before = source_->counters();
+    spec::Triangle snapped;
+    const bool is_one = source_->next(&snapped);
+    if (is_one) *triangle = source_->screen();
+    const Counters& after = source_->counters();
+    for (const auto member : {&Counters::triangles, &Counters::nan_dropped, &Counters::clipped,
+                              &Counters::clipped_away, &Counters::perspective}) {
+      counters->*member += after.*member - before.*member;
+    }
+    counters->rounded_slope = after.rounded_slope;  // of the state, so known from the start
+    return is_one;
+  }
+  void rewind() override { source_->rewind(); }
+
+ private:
+  std::unique_ptr<SnappedSource> owned_;
+  SnappedSource* source_;
+};
+
+}  // namespace pineda::scene

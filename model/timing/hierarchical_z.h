@@ -1,0 +1,50 @@
+// The greatest depth stored in each tile of a frame, as tile tests see it.
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "model/spec/structs.h"
+#include "model/timing/local_time.h"
+
+namespace pineda::timing {
+
+/// Hierarchical z: the greatest depth of every stamp of a frame, by tile.
+///
+/// Bits     a tile is hidden when depth_floor() of the triangle there is greater than the greatest
+///          depth of all its stamps, both in their top bits; so nothing of it can pass LESS or
+///          LEQUAL, and with another function nothing is hidden.
+/// In       update(): the depths of stamps as their writes are accepted, in order of the cycles.
+///          hides(): tile tests, in the order of theirs.
+/// Rate     a write accepted in t is seen by a test in t + hierarchical_z_delay_cycles.
+/// Drops    tiles beyond hierarchical_z_tiles: never hidden.
+/// Twin     rtl/hierarchical_z.sv.
+class HierarchicalZ {
+ public:
+  explicit HierarchicalZ(const spec::Contract& contract) : contract_(contract) {}
+
+  void begin_frame(const spec::FrameState& frame);
+  /// The frame's depth function lets tiles be hidden.
+  bool is_active() const { return active_; }
+  void update(Cycle accepted, const spec::DepthMax& depth);
+  bool hides(Cycle cycle, int tile_x, int tile_y, uint32_t floor);
+
+ private:
+  struct Update {
+    Cycle visible;
+    spec::DepthMax depth;
+  };
+  size_t index(int tile_x, int tile_y) const {
+    return static_cast<size_t>(tile_y) * static_cast<size_t>(columns_) +
+           static_cast<size_t>(tile_x);
+  }
+  void apply(const spec::DepthMax& depth);
+
+  spec::Contract contract_;
+  bool active_ = false;
+  int columns_ = 0;                 // tiles in a row of the frame
+  std::vector<uint16_t> greatest_;  // by stamp of the tile, by tile; outside the frame 0
+  std::deque<Update> pending_;
+};
+
+}  // namespace pineda::timing
