@@ -144,7 +144,7 @@ int128_t depth_magnitude(const Contract& c, const PlaneSetup& s, const std::arra
 // The bias of a triangle's depth, in units of 2^-16 codes.
 int64_t depth_bias(const Contract& c, const FrameState& frame, int128_t magnitude) {
   const int128_t bias =
-      (int128_t{frame.bias_constant} << spec::kBiasFractionBits) + frame.bias_slope * magnitude;
+      int128_t{frame.bias_constant} * (1 << spec::kBiasFractionBits) + frame.bias_slope * magnitude;
   const int128_t greatest = (int128_t{1} << (c.width.depth_bias - 1)) - 1;
   return static_cast<int64_t>(std::clamp(bias, -greatest - 1, greatest));
 }
