@@ -79,6 +79,9 @@ constexpr Design tiny() {
   return d;
 }
 
+// One word of the memory holds a depth for each stamp of a tile, all looked at in a cycle.
+constexpr int kMaxHiddenStampsLog2 = 6;
+
 }  // namespace
 
 const std::vector<Design>& designs() {
@@ -158,6 +161,12 @@ std::string invalid_reason(const Design& d) {
   }
   if (d.hierarchical_z && (!d.depth_test || !has_planes)) {
     return "hierarchical_z needs depth_test, and planes of depth";
+  }
+  if (d.hierarchical_z &&
+      (d.tile_log2 <= std::max(d.stamp_width_log2, d.stamp_height_log2) ||
+       2 * d.tile_log2 - d.stamp_width_log2 - d.stamp_height_log2 > kMaxHiddenStampsLog2)) {
+    return fmt::format("hierarchical_z needs stamps smaller than the tile, at most {} of them",
+                       1 << kMaxHiddenStampsLog2);
   }
   if (d.perspective && d.attributes == 0) {
     return "perspective needs attributes that are interpolated";

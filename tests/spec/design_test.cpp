@@ -103,6 +103,39 @@ TEST(InvalidReason, ParametersThatASchemeDoesNotUseMayBeZero) {
   EXPECT_EQ(invalid_reason(design), "");
 }
 
+TEST(InvalidReason, HierarchicalZOfTooFewOrTooManyStampsIsRefused) {
+  Design design = kHighTile;
+  design.hierarchical_z = true;
+  EXPECT_EQ(invalid_reason(design), "");
+  design.tile_log2 = design.stamp_width_log2 = 2;
+  EXPECT_NE(invalid_reason(design).find("smaller than the tile"), std::string::npos);
+  design.tile_log2 = 4;
+  design.stamp_width_log2 = 0;
+  EXPECT_NE(invalid_reason(design).find("at most 64"), std::string::npos);
+  design.stamp_width_log2 = 1;
+  EXPECT_EQ(invalid_reason(design), "");
+  design.depth_test = false;
+  EXPECT_NE(invalid_reason(design).find("depth_test"), std::string::npos);
+}
+
+TEST(InvalidReason, PartsThatNeedAnotherAreRefusedWithoutIt) {
+  Design design = kHighTile;
+  design.perspective = true;
+  EXPECT_EQ(invalid_reason(design), "");
+  design.reciprocal_scheme = ReciprocalScheme::kRestoring2;
+  EXPECT_NE(invalid_reason(design).find("newton or quadratic"), std::string::npos);
+  design = kHighTile;
+  design.perspective = true;
+  design.attributes = 0;
+  EXPECT_NE(invalid_reason(design).find("attributes"), std::string::npos);
+  design.perspective = false;
+  design.setup_style = SetupStyle::kPipelined;
+  design.reciprocal_scheme = ReciprocalScheme::kRestoring4;
+  EXPECT_NE(invalid_reason(design).find("pipelined"), std::string::npos);
+  design.depth_test = false;  // no planes, so no reciprocal
+  EXPECT_EQ(invalid_reason(design), "");
+}
+
 TEST(NoRtlReason, SaysWhatOnlyTheFunctionalModelHas) {
   EXPECT_EQ(no_rtl_reason(kHighTile), "");
   for (const Design& design : kSchemes) {
