@@ -171,11 +171,8 @@ void print(const Output& output, const CheckResult& r, const std::string& out) {
              fmt::format("{} model, {} RTL", grouped(r.model.cycles), grouped(r.rtl.cycles)));
   output.row("coverage", fmt::format("{} samples missing, {} too many, by exact arithmetic",
                                      grouped(r.judgement.missing), grouped(r.judgement.extra)));
-  output.row("depth error", fmt::format("{:.4f} ulp at most, bound {:.4f}",
-                                        r.judgement.max_depth_ulp, r.judgement.bounds.depth_ulp));
-  output.row("colour error",
-             fmt::format("{:.4f} LSB at most, bound {:.4f}", r.judgement.max_color_lsb,
-                         r.judgement.bounds.attribute_lsb));
+  output.row("depth error", depth_error_text(r.judgement));
+  output.row("colour error", color_error_text(r.judgement));
   if (r.judgement.beyond > 0) output.row("beyond their bounds", grouped(r.judgement.beyond));
   output.row("seconds", fmt::format("{:.2f} (SystemC {:.2f}, RTL {:.2f})", r.seconds,
                                     r.model.seconds, r.rtl.seconds));

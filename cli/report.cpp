@@ -43,6 +43,17 @@ std::string dropped_text(const core::FrameCounters& c) {
 
 }  // namespace
 
+std::string depth_error_text(const Judgement& j) {
+  if (j.bounds.depth_ulp == 0) return "none: the design has no depth";
+  return fmt::format("{:.4f} ulp at most, bound {:.4f}", j.max_depth_ulp, j.bounds.depth_ulp);
+}
+
+std::string color_error_text(const Judgement& j) {
+  const std::string error = fmt::format("{:.4f} LSB at most", j.max_color_lsb);
+  if (j.bounds.attribute_lsb == 0) return error + ": a triangle has its first vertex's colour";
+  return fmt::format("{}, bound {:.4f}", error, j.bounds.attribute_lsb);
+}
+
 std::string report_html(const CheckResult& r, const scene::Scene& scene,
                         const spec::Contract& contract, const std::string& settings) {
   std::string page = fmt::format(
@@ -74,12 +85,8 @@ std::string report_html(const CheckResult& r, const scene::Scene& scene,
   page += row("samples judged", grouped(r.judgement.samples));
   page += row("missing, too many",
               fmt::format("{}, {}", grouped(r.judgement.missing), grouped(r.judgement.extra)));
-  page +=
-      row("largest depth error", fmt::format("{:.4f} ulp, bound {:.4f}", r.judgement.max_depth_ulp,
-                                             r.judgement.bounds.depth_ulp));
-  page +=
-      row("largest colour error", fmt::format("{:.4f} LSB, bound {:.4f}", r.judgement.max_color_lsb,
-                                              r.judgement.bounds.attribute_lsb));
+  page += row("depth error", depth_error_text(r.judgement));
+  page += row("colour error", color_error_text(r.judgement));
   if (r.judgement.beyond > 0) {
     page += row("samples beyond their bounds", grouped(r.judgement.beyond));
   }

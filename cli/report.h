@@ -36,6 +36,10 @@ struct CheckResult {
   bool holds() const { return mismatches() == 0 && judgement.holds(); }
 };
 
+/// The largest errors with their bounds, or why there is none.
+std::string depth_error_text(const Judgement& judgement);
+std::string color_error_text(const Judgement& judgement);
+
 /// A page with the pictures beside it and every figure in tables; `settings` say how it was run.
 std::string report_html(const CheckResult& result, const scene::Scene& scene,
                         const spec::Contract& contract, const std::string& settings);
