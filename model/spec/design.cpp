@@ -120,14 +120,21 @@ const Design* find_design(const std::string& name) {
   return nullptr;
 }
 
-std::string invalid_reason(const Design& d) {
+namespace {
+
+bool has_rom(const Design& d) {
+  return d.reciprocal_scheme == ReciprocalScheme::kNewton ||
+         d.reciprocal_scheme == ReciprocalScheme::kQuadratic;
+}
+
+/// A parameter beyond its range.
+std::string range_reason(const Design& d) {
   const auto outside = [](const char* what, int value, int low, int high) {
     return value < low || value > high
                ? fmt::format("{} is {}, must be {} to {}", what, value, low, high)
                : std::string();
   };
   const bool newton = d.reciprocal_scheme == ReciprocalScheme::kNewton;
-  const bool has_rom = newton || d.reciprocal_scheme == ReciprocalScheme::kQuadratic;
   const bool has_planes = has_reciprocal(d);
   const auto outside_if = [&](bool used, const char* what, int value, int low, int high) {
     return used ? outside(what, value, low, high) : std::string();
@@ -140,7 +147,7 @@ std::string invalid_reason(const Design& d) {
         outside("flat_attributes", d.flat_attributes, 0, kMaxAttributes - d.attributes),
         outside("attribute_bits", d.attribute_bits, 1, 16),
         outside_if(d.perspective, "inverse_w_bits", d.inverse_w_bits, 8, 24),
-        outside_if(has_rom, "reciprocal_lut_bits", d.reciprocal_lut_bits, 4, 12),
+        outside_if(has_rom(d), "reciprocal_lut_bits", d.reciprocal_lut_bits, 4, 12),
         outside_if(newton, "reciprocal_newton_steps", d.reciprocal_newton_steps, 0, 2),
         outside_if(has_planes, "reciprocal_bits", d.reciprocal_bits, 12, 32),
         outside_if(has_planes, "gradient_fraction_bits", d.gradient_fraction_bits, 8, 20),
@@ -159,6 +166,12 @@ std::string invalid_reason(const Design& d) {
         outside("depth_latency_cycles", d.depth_latency_cycles, 1, d.max_depth_latency_cycles)}) {
     if (!reason.empty()) return reason;
   }
+  return {};
+}
+
+/// Parts that need another.
+std::string combination_reason(const Design& d) {
+  const bool has_planes = has_reciprocal(d);
   if (d.hierarchical_z && (!d.depth_test || !has_planes)) {
     return "hierarchical_z needs depth_test, and planes of depth";
   }
@@ -172,7 +185,7 @@ std::string invalid_reason(const Design& d) {
     return "perspective needs attributes that are interpolated";
   }
   // A weight a cycle and lane, or the planes of a triangle a cycle.
-  if (has_planes && !has_rom && (d.perspective || d.setup_style == SetupStyle::kPipelined)) {
+  if (!has_rom(d) && (d.perspective || (has_planes && d.setup_style == SetupStyle::kPipelined))) {
     return fmt::format("{} needs reciprocal_scheme newton or quadratic: {} takes many cycles",
                        d.perspective ? "perspective" : "setup_style pipelined",
                        reciprocal_scheme_name(d.reciprocal_scheme));
@@ -187,6 +200,13 @@ std::string invalid_reason(const Design& d) {
     return "reciprocal_bits must be at least 2*reciprocal_lut_bits in a quadratic reciprocal";
   }
   return {};
+}
+
+}  // namespace
+
+std::string invalid_reason(const Design& d) {
+  const std::string reason = range_reason(d);
+  return reason.empty() ? combination_reason(d) : reason;
 }
 
 std::string no_cycles_reason(const Design& d) {

@@ -26,7 +26,7 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
   slot_free_.assign(static_cast<size_t>(contract_.width.inflight_stamps), 0);
   slot_ = 0;
   write_free_ = retired_ = exit_ = -1;
-  exits_.assign(static_cast<size_t>(contract_.width.attribute_cycles + 1), -1);
+  exits_.assign(static_cast<size_t>(contract_.width.attribute_cycles) + 1, -1);
   next_exit_ = 0;
 }
 
