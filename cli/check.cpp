@@ -2,7 +2,9 @@
 // unit boundary, and judged by exact arithmetic.
 #include <memory>
 
+#include "cli/cycles.h"
 #include "cli/judge.h"
+#include "cli/memory_report.h"
 #include "cli/models.h"
 #include "cli/needs.h"
 #include "cli/needs_report.h"
@@ -43,10 +45,31 @@ class Tee {
   std::deque<spec::Triangle> pulled_;
 };
 
-/// The SystemC model's tokens go to a scoreboard of the benches.
+/// Hands tokens on to a scoreboard and notes when triangles retire.
+class Observer final : public tb::Listener {
+ public:
+  explicit Observer(tb::Scoreboard* to) : to_(*to) {}
+  void prim(uint64_t cycle, const spec::SetupPrim& t) override { to_.prim(cycle, t); }
+  void stamp(uint64_t cycle, const spec::Stamp& t) override { to_.stamp(cycle, t); }
+  void depth(uint64_t cycle, const spec::DepthWrite& t) override {
+    retired_.note(static_cast<int64_t>(cycle), t.id);
+    to_.depth(cycle, t);
+  }
+  void color(uint64_t cycle, const spec::ColorWrite& t) override {
+    retired_.note(static_cast<int64_t>(cycle), t.id);
+    to_.color(cycle, t);
+  }
+  const std::vector<int64_t>& retired() const { return retired_.cycles(); }
+
+ private:
+  tb::Scoreboard& to_;
+  studies::RetireCycles retired_;
+};
+
+/// The SystemC model's tokens go where those of the benches go.
 class ModelListener final : public timing::Listener {
  public:
-  explicit ModelListener(tb::Scoreboard* to) : to_(*to) {}
+  explicit ModelListener(tb::Listener* to) : to_(*to) {}
   void prim(timing::Cycle c, const spec::SetupPrim& t) override { to_.prim(cycle(c), t); }
   void stamp(timing::Cycle c, const spec::Stamp& t) override { to_.stamp(cycle(c), t); }
   void depth(timing::Cycle c, const spec::DepthWrite& t) override { to_.depth(cycle(c), t); }
@@ -54,7 +77,7 @@ class ModelListener final : public timing::Listener {
 
  private:
   static uint64_t cycle(timing::Cycle c) { return static_cast<uint64_t>(c); }
-  tb::Scoreboard& to_;
+  tb::Listener& to_;
 };
 
 /// Samples whose memories differ. The SystemC model does not count hits.
@@ -85,16 +108,15 @@ Side conclude(const char* name, tb::Scoreboard* scoreboard, const core::FrameBuf
   return side;
 }
 
-Side check_model(const scene::Scene& scene, const spec::Contract& contract,
-                 const tb::BenchOptions& options, const core::FrameBuffer& reference,
-                 Progress* progress) {
+Side check_model(const scene::Scene& scene, const spec::Contract& contract, timing::RasterTop* top,
+                 const core::FrameBuffer& reference, Progress* progress) {
   scene.source->rewind();
   ChunkedTriangles triangles(scene.source.get(), progress, "SystemC");
   Tee tee(&triangles);
   tb::Scoreboard scoreboard("SystemC", contract, scene.frame,
                             [&](spec::Triangle* t) { return tee.follow(t); });
-  ModelListener listener(&scoreboard);
-  const auto top = make_model(contract, options);
+  Observer observer(&scoreboard);
+  ModelListener listener(&observer);
   timing::FrameResult result;
   const double seconds = seconds_of([&] {
     result = top->run(
@@ -102,6 +124,9 @@ Side check_model(const scene::Scene& scene, const spec::Contract& contract,
   });
   Side side = conclude("SystemC", &scoreboard, reference, top->buffer(), false);
   side.cycles = static_cast<uint64_t>(result.cycles);
+  side.spent = result.spent;
+  side.counters = result.counters;
+  side.retired = observer.retired();
   side.seconds = seconds - triangles.load_seconds();
   return side;
 }
@@ -114,17 +139,28 @@ Side check_rtl(const scene::Scene& scene, const tb::RtlLibrary& library,
   Tee tee(&triangles);
   tb::Scoreboard scoreboard("RTL", library.contract(), scene.frame,
                             [&](spec::Triangle* t) { return tee.follow(t); });
+  Observer observer(&scoreboard);
   tb::FrameBench bench(library, options);
   tb::FrameResult result;
   const double seconds = seconds_of([&] {
     result = bench.run(
-        scene.frame, [&](spec::Triangle* t) { return tee.pull(t, &scoreboard); }, &scoreboard);
+        scene.frame, [&](spec::Triangle* t) { return tee.pull(t, &scoreboard); }, &observer);
   });
   Side side = conclude("RTL", &scoreboard, reference, bench.buffer(),
                        !library.contract().design.hierarchical_z);
   side.cycles = result.cycles;
+  side.spent = result.spent;
+  side.counters = result.counters;
+  side.retired = observer.retired();
   side.seconds = seconds - triangles.load_seconds();
   return side;
+}
+
+void compare_counters(const spec::Contract& contract, CheckResult* r) {
+  const auto model = timing::counter_list(contract, r->model.spent, r->model.counters);
+  r->counters_compared = model.size();
+  r->counters_differ = timing::counter_differences(
+      model, timing::counter_list(contract, r->rtl.spent, r->rtl.counters));
 }
 
 Json check_json(const CheckResult& r, const scene::Scene& scene, const spec::Contract& contract) {
@@ -135,7 +171,14 @@ Json check_json(const CheckResult& r, const scene::Scene& scene, const spec::Con
   json["stamps"] = r.counters.stamps;
   json["fragments"] = r.counters.fragments;
   json["mismatches"] = r.mismatches();
-  json["cycles"] = {{"model", r.model.cycles}, {"rtl", r.rtl.cycles}};
+  json["cycles"] = {{"model", r.model.cycles}, {"rtl", r.rtl.cycles}, {"error", r.cycle_error()}};
+  json["retirement"] = retire_json(r.retire);
+  json["first_retire_difference"] = difference_json(r.first_retire);
+  json["counters_compared"] = r.counters_compared;
+  json["counters_differ"] = Json::array();
+  for (const auto& d : r.counters_differ) {
+    json["counters_differ"].push_back({{"name", d.name}, {"model", d.model}, {"rtl", d.rtl}});
+  }
   json["coverage"] = {{"missing", r.judgement.missing}, {"extra", r.judgement.extra}};
   json["depth"] = {{"max_ulp", r.judgement.max_depth_ulp},
                    {"bound_ulp", r.judgement.bounds.depth_ulp}};
@@ -152,11 +195,14 @@ Json check_json(const CheckResult& r, const scene::Scene& scene, const spec::Con
   }
   json["input"] = input_json(r.input);
   json["counters"] = counters_json(r.counters);
+  add_cycles(r.model.spent, true, &json);
   return json;
 }
 
-void print(const Output& output, const CheckResult& r, const std::string& out) {
+void print(const Output& output, const CheckResult& r, const spec::Contract& contract,
+           const std::string& out) {
   print_counters(output, r.counters);
+  print_cycles(output, contract, r.model.spent, true);
   for (const Side* side : {&r.model, &r.rtl}) {
     output.row(side->name, fmt::format("{} tokens compared, {} mismatches, {} samples differ",
                                        grouped(side->compared), grouped(side->mismatches),
@@ -167,8 +213,15 @@ void print(const Output& output, const CheckResult& r, const std::string& out) {
     }
     if (!side->first_divergence.empty()) output.row("  first divergence", side->first_divergence);
   }
-  output.row("cycles",
-             fmt::format("{} model, {} RTL", grouped(r.model.cycles), grouped(r.rtl.cycles)));
+  output.row("cycles", cycles_text(r));
+  output.row("retirement", retire_text(r.retire));
+  if (r.first_retire) {
+    for (const auto& [name, value] : difference_rows(*r.first_retire)) output.row(name, value);
+  }
+  output.row("counters", counters_text(r));
+  for (const auto& d : r.counters_differ) {
+    output.row("  " + d.name, fmt::format("{} model, {} RTL", d.model, d.rtl));
+  }
   output.row("coverage", fmt::format("{} samples missing, {} too many, by exact arithmetic",
                                      grouped(r.judgement.missing), grouped(r.judgement.extra)));
   output.row("depth error", depth_error_text(r.judgement));
@@ -191,33 +244,40 @@ int run(const CheckOptions& options) {
   const auto bench = bench_options(options, contract);
   const tb::RtlLibrary library(contract, [&](const std::string& text) { output.say(text); });
   const std::string state = scene::unusual_state(scene.frame);
-  const std::string settings = fmt::format(
-      "cull {}, depth {}{}{}, depth latency {} cycles, stalls {}, seed {}",
-      scene::name_of(scene.frame.cull), scene::name_of(scene.frame.depth),
-      state.empty() ? "" : ", ", state, bench.depth_latency_cycles, options.stall, options.seed);
+  const std::string settings =
+      fmt::format("cull {}, depth {}{}{}, {}, stalls {}, seed {}", scene::name_of(scene.frame.cull),
+                  scene::name_of(scene.frame.depth), state.empty() ? "" : ", ", state,
+                  memory_text(options, contract), options.stall, options.seed);
   output.line("{}: {}x{}, {}, {}", scene.name, scene.frame.width, scene.frame.height,
               contract.design.name, settings);
 
+  const auto top = make_model(contract, bench);
   CheckResult result;
   core::Renderer reference(contract, scene.frame);
   result.seconds = seconds_of([&] {
     result.judgement = judge(scene.source.get(), &reference, &progress);
     result.counters = reference.counters();
-    result.model = check_model(scene, contract, bench, reference.buffer(), &progress);
+    result.model = check_model(scene, contract, top.get(), reference.buffer(), &progress);
     result.rtl = check_rtl(scene, library, bench, reference.buffer(), &progress);
+    compare_counters(contract, &result);
   });
   result.input = scene.source->counters();
+  result.retire = studies::retire_errors(result.model.retired, result.rtl.retired);
+  result.first_retire =
+      find_retire_difference({scene, library, bench, top.get(), &progress}, result.model.retired,
+                             result.rtl.retired, options.out);
   progress.clear();
   print_notes(output, job);
 
   Json json = check_json(result, scene, contract);
+  add_memory(&json, options, bench);
   if (job.needs) json["needs"] = needs_json(*job.needs, kAutoBase);
   if (!options.out.empty()) {
     write_pictures(options.out, picture_of(contract, reference.buffer()));
     scene::write_file(options.out + "/check.json", json.dump(2) + "\n");
     scene::write_file(options.out + "/report.html", report_html(result, scene, contract, settings));
   }
-  print(output, result, options.out);
+  print(output, result, contract, options.out);
   output.json(json);
   return result.holds() ? kHolds : kMismatch;
 }

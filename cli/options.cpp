@@ -76,7 +76,9 @@ void add_scene_options(CLI::App* command, Options* o) {
   command->add_option("--design", o->design, "Design point, see `pineda designs`")
       ->type_name("NAME|FILE.toml")
       ->capture_default_str();
-  command->add_option("--seed", o->seed, "Seed of what is random: the stalls of --stall")
+  command
+      ->add_option("--seed", o->seed,
+                   "Seed of what is random: stalls of --stall, scenes random/NAME")
       ->type_name("N")
       ->capture_default_str();
   const std::string meshes = "Meshes";
@@ -133,7 +135,14 @@ void add_scene_options(CLI::App* command, Options* o) {
 
 void add_time_options(CLI::App* command, Options* o) {
   command
-      ->add_option("--latency", o->latency_cycles, "Cycles from a depth read to its data, 1 to 64")
+      ->add_option("--memory", o->memory,
+                   "ideal, dram (behind caches) or dram_merged (depth and colour on one channel)")
+      ->check(CLI::IsMember({"ideal", "dram", "dram_merged"}))
+      ->type_name("KIND")
+      ->capture_default_str();
+  command
+      ->add_option("--latency", o->latency_cycles,
+                   "Ideal memory: cycles from a depth read to its data, 1 to 64")
       ->type_name("N");
   command->add_option("--stall", o->stall, "Who stalls at the ports: none, source, sink or both")
       ->check(CLI::IsMember({"none", "source", "sink", "both"}))
@@ -184,6 +193,7 @@ scene::Scene open(const Options& o, const spec::Contract& contract, bool multi_p
     options.camera = camera;
   }
   options.tessellate = o.tessellate;
+  options.seed = o.seed;
   options.multi_pass = multi_pass;
   return scene::open_scene(contract, o.scene, options);
 }
@@ -197,10 +207,24 @@ int latency_of(const Options& o, const spec::Contract& contract) {
   return cycles;
 }
 
-tb::StallMode stall_mode_of(const Options& o) {
-  if (o.stall == "source") return tb::StallMode::kSource;
-  if (o.stall == "sink") return tb::StallMode::kSink;
-  return o.stall == "both" ? tb::StallMode::kBoth : tb::StallMode::kNone;
+memory::Kind memory_kind_of(const Options& o) {
+  const auto kind = memory::kind_named(o.memory).value_or(memory::Kind::kIdeal);
+  if (kind != memory::Kind::kIdeal && o.latency_cycles) {
+    throw UsageError("--latency: only an ideal memory has one, not " + o.memory);
+  }
+  return kind;
+}
+
+std::string memory_text(const Options& o, const spec::Contract& contract) {
+  if (memory_kind_of(o) != memory::Kind::kIdeal) return "memory " + o.memory;
+  return fmt::format("depth latency {} cycles", latency_of(o, contract));
+}
+
+memory::StallMode stall_mode_of(const Options& o) {
+  using memory::StallMode;
+  if (o.stall == "source") return StallMode::kSource;
+  if (o.stall == "sink") return StallMode::kSink;
+  return o.stall == "both" ? StallMode::kBoth : StallMode::kNone;
 }
 
 }  // namespace pineda::cli

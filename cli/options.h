@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "model/memory/kinds.h"
+#include "model/memory/stalls.h"
 #include "model/scene/scene.h"
 #include "model/spec/widths.h"
-#include "tb/stalls.h"
 
 namespace pineda::cli {
 
@@ -44,6 +45,7 @@ struct Options {
   std::optional<double> fov_deg;
 
   // Time
+  std::string memory = memory::kind_name(memory::Kind::kIdeal);
   std::optional<int> latency_cycles;
   std::string stall = "none";
 };
@@ -52,7 +54,7 @@ struct Options {
 void add_output_options(CLI::App* command, Options* options);
 /// Adds the scene and all options about it.
 void add_scene_options(CLI::App* command, Options* options);
-/// Adds --latency and --stall.
+/// Adds --memory, --latency and --stall.
 void add_time_options(CLI::App* command, Options* options);
 
 /// The design by name or from its file. Throws UsageError that lists the designs there are, or
@@ -66,7 +68,11 @@ void require_of(const Options& options, const spec::Design& design, Lack lack);
 /// Opens the scene, with `multi_pass` so that it can be rewound.
 scene::Scene open(const Options& options, const spec::Contract& contract, bool multi_pass);
 int latency_of(const Options& options, const spec::Contract& contract);
-tb::StallMode stall_mode_of(const Options& options);
+/// The memory behind the ports; its latency if it is ideal.
+memory::Kind memory_kind_of(const Options& options);
+/// "depth latency 8 cycles", or "memory dram".
+std::string memory_text(const Options& options, const spec::Contract& contract);
+memory::StallMode stall_mode_of(const Options& options);
 
 /// The commands: each adds itself to the program. The return value of a command's run is its exit
 /// code, stored in *exit_code by the callback.
@@ -76,6 +82,7 @@ void add_time(CLI::App* program, int* exit_code);
 void add_rtl(CLI::App* program, int* exit_code);
 void add_study(CLI::App* program, int* exit_code);
 void add_parameters_study(CLI::App* study, int* exit_code);
+void add_cycles_study(CLI::App* study, int* exit_code);
 void add_error(CLI::App* program, int* exit_code);
 void add_designs(CLI::App* program, int* exit_code);
 void add_scenes(CLI::App* program, int* exit_code);

@@ -119,24 +119,26 @@ Json input_json(const scene::Counters& c) {
           {"rounded_slope", c.rounded_slope}};
 }
 
-Json counters_json(const core::FrameCounters& c) {
+Json counters_json(const core::FrameCounters& c, bool depth_tests) {
   Json dropped;
   for (int i = 1; i < core::kDropCauses; ++i) {
     std::string key = core::drop_name(static_cast<core::Drop>(i));
     std::replace(key.begin(), key.end(), ' ', '_');
     dropped[key] = c.dropped[static_cast<size_t>(i)];
   }
-  return {{"triangles", c.triangles},
-          {"dropped", dropped},
-          {"tiles",
-           {{"tested", c.tiles_tested},
-            {"rejected", c.tiles_rejected},
-            {"accepted", c.tiles_accepted},
-            {"hidden", c.tiles_hidden}}},
-          {"stamps", c.stamps},
-          {"interpolated", c.interpolated},
-          {"fragments", c.fragments},
-          {"passed", c.passed}};
+  Json json{{"triangles", c.triangles},
+            {"dropped", dropped},
+            {"tiles",
+             {{"tested", c.tiles_tested},
+              {"rejected", c.tiles_rejected},
+              {"accepted", c.tiles_accepted},
+              {"hidden", c.tiles_hidden}}},
+            {"stamps", c.stamps},
+            {"fragments", c.fragments}};
+  if (!depth_tests) return json;
+  json["interpolated"] = c.interpolated;
+  json["passed"] = c.passed;
+  return json;
 }
 
 void print_notes(const Output& output, const scene::Scene& scene) {
@@ -152,7 +154,7 @@ void print_state(const Output& output, const scene::Scene& scene) {
   if (!text.empty()) output.row("state", text);
 }
 
-void print_counters(const Output& output, const core::FrameCounters& c) {
+void print_counters(const Output& output, const core::FrameCounters& c, bool depth_tests) {
   uint64_t dropped = 0;
   std::string causes;
   for (int i = 1; i < core::kDropCauses; ++i) {
@@ -169,10 +171,11 @@ void print_counters(const Output& output, const core::FrameCounters& c) {
       fmt::format("{} ({} rejected, {} accepted whole{})", grouped(c.tiles_tested),
                   grouped(c.tiles_rejected), grouped(c.tiles_accepted),
                   c.tiles_hidden == 0 ? "" : fmt::format(", {} hidden", grouped(c.tiles_hidden))));
-  output.row("stamps", fmt::format("{} ({} seen, so interpolated)", grouped(c.stamps),
-                                   grouped(c.interpolated)));
-  output.row("covered samples",
-             fmt::format("{} ({} written)", grouped(c.fragments), grouped(c.passed)));
+  const auto also = [&](const char* text, uint64_t count) {
+    return depth_tests ? fmt::format(fmt::runtime(text), grouped(count)) : std::string();
+  };
+  output.row("stamps", grouped(c.stamps) + also(" ({} seen, so interpolated)", c.interpolated));
+  output.row("covered samples", grouped(c.fragments) + also(" ({} written)", c.passed));
 }
 
 }  // namespace pineda::cli

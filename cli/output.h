@@ -81,11 +81,13 @@ Json unusual_state_json(const spec::FrameState& frame);
 /// What happened to the scene on its way in.
 Json input_json(const scene::Counters& counters);
 /// Triangles, drops by cause, tiles, stamps, fragments.
-Json counters_json(const core::FrameCounters& counters);
+/// Without `depth_tests` their outcome is not known, nor what follows from it.
+Json counters_json(const core::FrameCounters& counters, bool depth_tests = true);
 /// The scene's warnings and notes, one line each.
 void print_notes(const Output& output, const scene::Scene& scene);
 /// The same state, if there is any.
 void print_state(const Output& output, const scene::Scene& scene);
-void print_counters(const Output& output, const core::FrameCounters& counters);
+void print_counters(const Output& output, const core::FrameCounters& counters,
+                    bool depth_tests = true);
 
 }  // namespace pineda::cli

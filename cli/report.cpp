@@ -18,6 +18,13 @@ std::string side_row(const Side& s) {
                      grouped(s.differing_samples), grouped(s.cycles));
 }
 
+std::string first_retire_table(const CheckResult& r) {
+  if (!r.first_retire) return {};
+  std::string table = "<h2>Where the cycles part</h2>\n<table>\n";
+  for (const auto& [name, value] : difference_rows(*r.first_retire)) table += row(name, value);
+  return table + "</table>\n";
+}
+
 constexpr const char* kStyle =
     "body{font:15px/1.45 system-ui,sans-serif;color:#1c2430;margin:2rem auto;max-width:72rem;"
     "padding:0 1rem}h1{font-size:1.5rem;margin:0 0 .2rem}h2{font-size:1.05rem;margin:1.6rem 0 "
@@ -42,6 +49,20 @@ std::string dropped_text(const core::FrameCounters& c) {
 }
 
 }  // namespace
+
+std::string cycles_text(const CheckResult& r) {
+  const std::string text =
+      fmt::format("{} model, {} RTL", grouped(r.model.cycles), grouped(r.rtl.cycles));
+  if (r.cycle_error() <= kCycleErrorBound) return text;
+  return fmt::format("{}: {:.2f} % apart, bound {:.1f} %", text, 100 * r.cycle_error(),
+                     100 * kCycleErrorBound);
+}
+
+std::string counters_text(const CheckResult& r) {
+  return fmt::format(
+      "{} compared, {}", r.counters_compared,
+      r.counters_differ.empty() ? "all equal" : grouped(r.counters_differ.size()) + " differ");
+}
 
 std::string depth_error_text(const Judgement& j) {
   if (j.bounds.depth_ulp == 0) return "none: the design has no depth";
@@ -81,6 +102,9 @@ std::string report_html(const CheckResult& r, const scene::Scene& scene,
           fmt::format("<p class=\"bad\"><code>{}</code></p>\n", escaped(side->first_divergence));
     }
   }
+  page += fmt::format("<p>Cycles: {}. Retirement: {}. Counters: {}.</p>\n", escaped(cycles_text(r)),
+                      escaped(retire_text(r.retire)), escaped(counters_text(r)));
+  page += first_retire_table(r);
   page += "<h2>Against exact arithmetic</h2>\n<table>\n";
   page += row("samples judged", grouped(r.judgement.samples));
   page += row("missing, too many",

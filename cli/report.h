@@ -1,10 +1,14 @@
 // What pineda check found, and the page that shows it.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "cli/differ.h"
 #include "cli/judge.h"
 #include "model/scene/scene.h"
+#include "model/timing/counter_list.h"
 
 namespace pineda::cli {
 
@@ -17,14 +21,24 @@ struct Side {
   uint64_t differing_samples = 0;  // of the memories at the end of the frame
   std::string first_divergence;
   uint64_t cycles = 0;
+  timing::CycleCounters spent;
+  core::FrameCounters counters;
+  std::vector<int64_t> retired;  // studies::RetireCycles
   double seconds = 0;
 };
+
+/// The model's cycles may be wrong by so much, as a share of the RTL's.
+inline constexpr double kCycleErrorBound = .001;
 
 struct CheckResult {
   scene::Counters input;
   core::FrameCounters counters;
   Side model;
   Side rtl;
+  size_t counters_compared = 0;
+  std::vector<timing::CounterDifference> counters_differ;  // of model and RTL
+  studies::RetireErrors retire;
+  std::optional<FirstRetireDifference> first_retire;
   Judgement judgement;
   double seconds = 0;
 
@@ -33,9 +47,20 @@ struct CheckResult {
     return model.mismatches + model.differing_samples + rtl.mismatches + rtl.differing_samples +
            hidden;
   }
-  bool holds() const { return mismatches() == 0 && judgement.holds(); }
+  double cycle_error() const {
+    const auto apart = static_cast<double>(model.cycles) - static_cast<double>(rtl.cycles);
+    return std::abs(apart) / static_cast<double>(std::max<uint64_t>(1, rtl.cycles));
+  }
+  bool holds() const {
+    return mismatches() == 0 && judgement.holds() && cycle_error() <= kCycleErrorBound &&
+           counters_differ.empty();
+  }
 };
 
+/// The cycles of both, and how far apart where that is more than the bound.
+std::string cycles_text(const CheckResult& result);
+/// "72 compared, all equal".
+std::string counters_text(const CheckResult& result);
 /// The largest errors with their bounds, or why there is none.
 std::string depth_error_text(const Judgement& judgement);
 std::string color_error_text(const Judgement& judgement);

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/cycles.h"
+#include "cli/memory_report.h"
 #include "cli/models.h"
 #include "cli/needs.h"
 #include "cli/pictures.h"
@@ -43,6 +45,21 @@ class TraceFile {
  private:
   std::string path_;
 };
+
+Json rtl_json(const RtlOptions& options, const tb::BenchOptions& bench, const Job& job,
+              const tb::FrameResult& result, double seconds) {
+  const scene::Counters& input = job.scene.source->counters();
+  Json json = header_json(job.scene, job.contract);
+  json["cycles"] = result.cycles;
+  json["seconds"] = seconds;
+  json["triangles"] = input.triangles;
+  add_memory(&json, options, bench);
+  json["stall"] = options.stall;
+  json["input"] = input_json(input);
+  json["counters"] = counters_json(result.counters);
+  add_cycles(result.spent, true, &json);
+  return json;
+}
 
 int run(const RtlOptions& options) {
   const Output output(options);
@@ -86,17 +103,13 @@ int run(const RtlOptions& options) {
   if (!options.out.empty()) write_pictures(options.out, frame);
   if (!options.dump.empty()) scene::write_dump(options.dump, frame);
 
-  Json json = header_json(scene, contract);
-  json["cycles"] = result.cycles;
-  json["seconds"] = seconds;
-  json["triangles"] = scene.source->counters().triangles;
-  json["depth_latency_cycles"] = bench_opts.depth_latency_cycles;
-  json["stall"] = options.stall;
-  json["input"] = input_json(scene.source->counters());
-  output.line("{}: {}x{}, {}, depth latency {} cycles", scene.name, scene.frame.width,
-              scene.frame.height, contract.design.name, bench_opts.depth_latency_cycles);
+  output.line("{}: {}x{}, {}, {}", scene.name, scene.frame.width, scene.frame.height,
+              contract.design.name, memory_text(options, contract));
   print_state(output, scene);
   output.row("cycles", grouped(result.cycles));
+  print_memory(output, bench_opts);
+  print_counters(output, result.counters);
+  print_cycles(output, contract, result.spent, true);
   output.row("seconds", fmt::format("{:.6f} ({:.2f} M cycles/s)", seconds,
                                     static_cast<double>(result.cycles) / seconds * 1e-6));
   if (!options.out.empty()) output.row("pictures", options.out + "/color.png, depth.png");
@@ -106,7 +119,7 @@ int run(const RtlOptions& options) {
                                                           : "/hits.u16, depth.u32, color.rgba"));
   }
   if (!options.trace.empty()) output.row("waveform", options.trace);
-  output.json(json);
+  output.json(rtl_json(options, bench_opts, job, result, seconds));
   return kHolds;
 }
 

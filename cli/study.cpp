@@ -203,11 +203,12 @@ void add_study(CLI::App* program, int* exit_code) {
     if (chosen && rest.empty()) return;
     throw UsageError(fmt::format(
         "study: expected {}{} (see pineda study --help)",
-        chosen ? "no more arguments" : "parameters, design-points, bounds or reciprocals",
+        chosen ? "no more arguments" : "parameters, cycles, design-points, bounds or reciprocals",
         rest.empty() ? "" : ", got '" + rest.front() + "'"));
   });
 
   add_parameters_study(study, exit_code);
+  add_cycles_study(study, exit_code);
 
   auto point_options = std::make_shared<StudyOptions>();
   point_options->seed = 1;

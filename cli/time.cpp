@@ -1,8 +1,10 @@
 // pineda time: the SystemC cycle model alone.
 #include <memory>
 
+#include "cli/cycles.h"
+#include "cli/memory_report.h"
 #include "cli/models.h"
-#include "cli/needs.h"
+#include "cli/seeing.h"
 #include "cli/triangles.h"
 
 namespace pineda::cli {
@@ -11,22 +13,11 @@ namespace {
 struct TimeOptions : Options {
   bool bits = false;
   int bench = 0;
+  SeeingOptions seeing;
 };
 
-Json cycles_json(const timing::UnitCycles& c) {
-  return {{"busy", c.busy}, {"starved", c.starved}, {"blocked", c.blocked}, {"hazard", c.hazard}};
-}
-
-void print_unit(const Output& output, const char* name, const timing::UnitCycles& c) {
-  const auto share = [&](timing::Cycle cycles) {
-    return 100. * static_cast<double>(cycles) /
-           static_cast<double>(std::max<int64_t>(1, c.total()));
-  };
-  output.line("  {:<22}{:>7.2f} % {:>8.2f} % {:>8.2f} % {:>7.2f} %", name, share(c.busy),
-              share(c.starved), share(c.blocked), share(c.hazard));
-}
-
 int run(const TimeOptions& options) {
+  check_seeing_options(options.seeing);
   const Output output(options);
   Progress progress(options);
   const Job job = open_job(options, spec::no_cycles_reason, false, output, &progress);
@@ -34,11 +25,13 @@ int run(const TimeOptions& options) {
   const scene::Scene& scene = job.scene;
   const auto bench = bench_options(options, contract);
   const auto top = make_model(contract, bench);
+  Seeing seeing(options.seeing, job);
+  top->set_bits(options.bits);
 
   timing::FrameResult result;
-  const double seconds =
-      frame_seconds(scene, options.bench, &progress, "timing",
-                    [&](timing::Pull pull) { result = top->run(scene.frame, std::move(pull)); });
+  const double seconds = frame_seconds(
+      scene, options.bench, &progress, "timing",
+      [&](const timing::Pull& pull) { result = top->run(scene.frame, pull, seeing.listener()); });
   progress.clear();
   print_notes(output, job);
 
@@ -46,25 +39,21 @@ int run(const TimeOptions& options) {
   json["cycles"] = result.cycles;
   json["seconds"] = seconds;
   json["triangles"] = scene.source->counters().triangles;
-  json["depth_latency_cycles"] = bench.depth_latency_cycles;
+  add_memory(&json, options, bench);
   json["input"] = input_json(scene.source->counters());
-  json["counters"] = counters_json(result.counters);
-  json["units"] = {{"setup", cycles_json(result.setup)},
-                   {"tiles", cycles_json(result.tiles)},
-                   {"stamps", cycles_json(result.stamps)},
-                   {"interp_ztest", cycles_json(result.interp_ztest)}};
-  output.line("{}: {}x{}, {}, depth latency {} cycles", scene.name, scene.frame.width,
-              scene.frame.height, contract.design.name, bench.depth_latency_cycles);
+  json["bits"] = result.knows_passed;
+  json["counters"] = counters_json(result.counters, result.knows_passed);
+  add_cycles(result.spent, result.knows_passed, &json);
+  output.line("{}: {}x{}, {}, {}", scene.name, scene.frame.width, scene.frame.height,
+              contract.design.name, memory_text(options, contract));
   print_state(output, scene);
   output.row("cycles", grouped(static_cast<uint64_t>(result.cycles)));
-  print_counters(output, result.counters);
-  output.line("  {:<22}{:>9} {:>10} {:>10} {:>9}", "unit", "busy", "starved", "blocked", "hazard");
-  print_unit(output, "setup", result.setup);
-  print_unit(output, "traversal, tiles", result.tiles);
-  print_unit(output, "traversal, stamps", result.stamps);
-  print_unit(output, "interp_ztest", result.interp_ztest);
+  print_memory(output, bench);
+  print_counters(output, result.counters, result.knows_passed);
+  print_cycles(output, contract, result.spent, result.knows_passed);
   output.row("seconds", fmt::format("{:.6f} ({:.2f} M cycles/s)", seconds,
                                     static_cast<double>(result.cycles) / seconds * 1e-6));
+  seeing.finish(result.spent.drained, output, &json);
   output.json(json);
   return kHolds;
 }
@@ -77,11 +66,11 @@ void add_time(CLI::App* program, int* exit_code) {
   add_scene_options(command, options.get());
   add_time_options(command, options.get());
   allow_auto(command);
-  command->add_flag("--bits", options->bits,
-                    "Compute every bit, not only what time depends on (this version always does)");
-  command->add_option("--bench", options->bench, "Median seconds of N runs in memory")
-      ->check(CLI::Range(1, 1'000'000))
-      ->type_name("N");
+  command->add_flag("--bits", options->bits, "Compute every bit, not only what time depends on");
+  auto* bench = command->add_option("--bench", options->bench, "Median seconds of N runs in memory")
+                    ->check(CLI::Range(1, 1'000'000))
+                    ->type_name("N");
+  add_seeing_options(command, &options->seeing, bench);
   command->callback([options, exit_code] { *exit_code = run(*options); });
 }
 

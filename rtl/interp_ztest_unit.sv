@@ -375,6 +375,39 @@ module interp_ztest_unit (
   assign idle_o = !color_pending_q && !token_valid;
 `endif
 
+`ifdef PINEDA_COUNTERS
+  logic [2:0] cause;
+`ifdef PINEDA_DEPTH
+  assign cause = !stamp_valid_i ? cycle_cause_pkg::STARVED :
+                 hazard ? cycle_cause_pkg::HAZARD :
+                 table_full ? cycle_cause_pkg::BLOCKED :
+                 stamp_ready_o ? cycle_cause_pkg::BUSY : cycle_cause_pkg::MEMORY;
+  cycle_counters #(.Kinds(1)) u_depth_read_stalls (
+    .clk_i, .count_i(depth_rd_valid_o && !depth_rd_ready_i), .kind_i(1'b0)
+  );
+  cycle_counters #(.Kinds(1)) u_depth_write_stalls (
+    .clk_i, .count_i(depth_wr_valid_o && !depth_wr_ready_i), .kind_i(1'b0)
+  );
+`else
+  assign cause = !stamp_valid_i ? cycle_cause_pkg::STARVED :
+                 stamp_ready_o ? cycle_cause_pkg::BUSY : cycle_cause_pkg::BLOCKED;
+`endif
+  cycle_counters #(.Kinds(1)) u_color_write_stalls (
+    .clk_i, .count_i(color_wr_valid_o && !color_wr_ready_i), .kind_i(1'b0)
+  );
+  cycle_counters #(.Kinds(cycle_cause_pkg::CAUSES)) u_cycles (
+    .clk_i, .count_i(1'b1), .kind_i(cause)
+  );
+  // Stamps tested, by covered samples that passed and by those that failed
+  localparam int unsigned SAMPLES_BITS = $clog2(LANES + 1);
+  cycle_counters #(.Kinds(LANES + 1)) u_passed (
+    .clk_i, .count_i(load), .kind_i(SAMPLES_BITS'($countones(passed)))
+  );
+  cycle_counters #(.Kinds(LANES + 1)) u_failed (
+    .clk_i, .count_i(load), .kind_i(SAMPLES_BITS'($countones(head.mask & ~passed)))
+  );
+`endif
+
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin

@@ -148,6 +148,16 @@ module raster_top (
     .idle_o(interp_ztest_idle)
   );
 
+`ifdef PINEDA_COUNTERS
+  // The cycles that begin at each level of the FIFOs
+  cycle_counters #(.Kinds(pineda_pkg::PRIM_FIFO_DEPTH + 1)) u_prim_levels (
+    .clk_i, .count_i(1'b1), .kind_i(u_prims.count_q)
+  );
+  cycle_counters #(.Kinds(pineda_pkg::STAMP_FIFO_DEPTH + 1)) u_stamp_levels (
+    .clk_i, .count_i(1'b1), .kind_i(u_stamps.count_q)
+  );
+`endif
+
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
     if (rst_ni && frame_valid_i) begin

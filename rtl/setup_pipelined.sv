@@ -78,7 +78,17 @@ module setup_pipelined (
   // ---- 4: drop, or canonical order
   logic clockwise4;
   logic [AREA2_BITS-2:0] abs_area2_4, abs_area2_5q;
+`ifdef PINEDA_COUNTERS
+  logic no_sample4;
+  delay_line #(.Width(1), .Depth(2)) u_no_sample4 (
+    .clk_i, .enable_i(advance), .data_i(u_box.u_x.no_sample || u_box.u_y.no_sample),
+    .data_o(no_sample4)
+  );
+`endif
   setup_drop u_drop (
+`ifdef PINEDA_COUNTERS
+    .clk_i, .count_i(advance && valid_q[4]), .no_sample_i(no_sample4),
+`endif
     .frame_i, .area2_i(area2_4q), .empty_i(empty4),
     .drop_o(drop4), .clockwise_o(clockwise4), .abs_area2_o(abs_area2_4)
   );

@@ -32,7 +32,9 @@ module setup_range (
   logic signed [RANGE_BITS-1:0] clipped_first, clipped_last;
   assign clipped_first = first < clip_first ? clip_first : first;
   assign clipped_last = last > clip_last ? clip_last : last;
-  assign empty_o = first > last || clipped_first > clipped_last;
+  logic no_sample;
+  assign no_sample = first > last;
+  assign empty_o = no_sample || clipped_first > clipped_last;
   assign first_o = clipped_first[PIXEL_BITS-1:0];
   assign last_o = clipped_last[PIXEL_BITS-1:0];
 endmodule

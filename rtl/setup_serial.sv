@@ -78,6 +78,11 @@ module setup_serial (
   logic [AREA2_BITS-2:0] abs_area2;
   logic clockwise;
   setup_drop u_drop (
+`ifdef PINEDA_COUNTERS
+    // What the box is made from stands still until the end of step 4.
+    .clk_i, .count_i(advance && step_q == STEP_BITS'(4)),
+    .no_sample_i(u_box.u_x.no_sample || u_box.u_y.no_sample),
+`endif
     .frame_i, .area2_i(area2_q), .empty_i(empty_q),
     .drop_o(drop), .clockwise_o(clockwise), .abs_area2_o(abs_area2)
   );

@@ -160,4 +160,17 @@ module stamp_walker (
 `endif
     end
   end
+
+`ifdef PINEDA_COUNTERS
+  cycle_counters #(.Kinds(cycle_cause_pkg::CAUSES)) u_cycles (
+    .clk_i, .count_i(1'b1),
+    .kind_i(!busy_q ? cycle_cause_pkg::STARVED :
+            advance ? cycle_cause_pkg::BUSY : cycle_cause_pkg::BLOCKED)
+  );
+  // Stamps sent, by covered samples
+  cycle_counters #(.Kinds(LANES + 1)) u_sent (
+    .clk_i, .count_i(stamp_valid_q && stamp_ready_i),
+    .kind_i($clog2(LANES + 1)'($countones(stamp_q.mask)))
+  );
+`endif
 endmodule

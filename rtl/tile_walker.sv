@@ -247,4 +247,17 @@ module tile_walker (
 `endif
     end
   end
+
+`ifdef PINEDA_COUNTERS
+  cycle_counters #(.Kinds(cycle_cause_pkg::CAUSES)) u_cycles (
+    .clk_i, .count_i(1'b1),
+    .kind_i(!busy_q ? cycle_cause_pkg::STARVED :
+            advance ? cycle_cause_pkg::BUSY : cycle_cause_pkg::BLOCKED)
+  );
+  // What came of a test: 0 the tile is kept, 1 accepted by all edges too, 2 rejected, 3 hidden
+  cycle_counters #(.Kinds(4)) u_tests (
+    .clk_i, .count_i(advance),
+    .kind_i(rejected ? 2'd2 : hidden ? 2'd3 : accepts == '1 ? 2'd1 : 2'd0)
+  );
+`endif
 endmodule

@@ -61,4 +61,10 @@ module traversal_unit (
   );
 
   assign idle_o = !tiles_busy && !tile_valid && stamps_idle;
+
+`ifdef PINEDA_COUNTERS
+  cycle_counters #(.Kinds(pineda_pkg::TILE_FIFO_DEPTH + 1)) u_levels (
+    .clk_i, .count_i(1'b1), .kind_i(u_fifo.count_q)
+  );
+`endif
 endmodule

@@ -6,12 +6,11 @@
 #include <cmath>
 
 #include "studies/error_pictures.h"
+#include "studies/ramp.h"
 #include "studies/svg.h"
 
 namespace pineda::studies {
 namespace {
-
-using Rgb = std::array<uint8_t, 3>;
 
 constexpr double kRounding = .5;       // ulp or LSB: what the final rounding alone may make
 constexpr double kRoundingShare = .2;  // of the ramp
@@ -19,10 +18,6 @@ constexpr Rgb kNothing{0, 0, 0};
 constexpr Rgb kMissing{0, 255, 255};
 constexpr Rgb kExtra{255, 0, 255};
 
-struct Stop {
-  double at;
-  Rgb color;
-};
 // Ever lighter, so that it can be read without its hues; a jump of hue where rounding ends.
 constexpr std::array<Stop, 7> kRamp{{{0, {10, 20, 56}},
                                      {kRoundingShare, {24, 62, 130}},
@@ -32,24 +27,7 @@ constexpr std::array<Stop, 7> kRamp{{{0, {10, 20, 56}},
                                      {.82, {251, 165, 10}},
                                      {1, {252, 255, 180}}}};
 
-Rgb mixed(const Rgb& a, const Rgb& b, double share) {
-  Rgb color{};
-  for (size_t i = 0; i < color.size(); ++i) {
-    color[i] = static_cast<uint8_t>(std::lround(a[i] + share * (b[i] - a[i])));
-  }
-  return color;
-}
-
-Rgb ramp(double at) {
-  for (size_t i = 1; i < kRamp.size(); ++i) {
-    const Stop& low = kRamp[i - 1];
-    const Stop& high = kRamp[i];
-    if (at <= high.at && low.at < high.at) {
-      return mixed(low.color, high.color, (at - low.at) / (high.at - low.at));
-    }
-  }
-  return kRamp.back().color;
-}
+Rgb ramp(double at) { return color_along(kRamp, at); }
 
 std::string hex(const Rgb& color) {
   return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);

@@ -6,9 +6,23 @@ struct FrameBench::Progress {
   uint64_t start = 0;       // cycle in which the frame was first offered
   uint64_t last_event = 0;  // cycle of the last handshake
   uint64_t last_write = 0;  // cycle after the last accepted write (the clear counts)
-  uint64_t triangles = 0;
-  bool more = true;  // triangles to come
+  bool more = true;         // triangles to come after `triangle`
+  bool held = false;        // `triangle` is not taken yet
+  spec::Triangle triangle;
+  bool drained = false;  // no triangle is left, and the pipeline is empty
+  FrameResult result;
 };
+
+std::shared_ptr<MemoryTiming> memory_of(const BenchOptions& options,
+                                        const spec::Contract& contract) {
+  if (options.memory) return options.memory;
+  try {
+    return std::make_shared<memory::IdealTiming>(options.depth_latency_cycles,
+                                                 contract.design.max_depth_latency_cycles);
+  } catch (const std::invalid_argument& error) {
+    throw RtlError(error.what());
+  }
+}
 
 FrameBench::FrameBench(const RtlLibrary& library, const BenchOptions& options)
     : unit_(library, "top"),
@@ -22,7 +36,8 @@ FrameBench::FrameBench(const RtlLibrary& library, const BenchOptions& options)
       idle_(unit_.port("idle_o")),
       prims_(unit_, "prim"),
       stamps_(unit_, "stamp"),
-      memory_(unit_, options.depth_latency_cycles) {
+      counters_(unit_),
+      memory_(unit_, memory_of(options, unit_.contract())) {
   reset();
 }
 
@@ -37,18 +52,20 @@ void FrameBench::reset() {
 
 FrameResult FrameBench::run(const spec::FrameState& frame, const NextTriangle& next,
                             Listener* listener) {
-  memory_.start(core::FrameBuffer(unit_.contract(), frame));
+  memory_.start(frame, core::FrameBuffer(unit_.contract(), frame), unit_.cycle());
   frames_.offer(frame);
   Progress progress;
   progress.start = progress.last_event = unit_.cycle();
+  counters_.start();
   while (!step(&progress, next, listener)) {
   }
-  return {progress.last_write - progress.start, progress.triangles};
+  progress.result.cycles = progress.last_write - progress.start;
+  return progress.result;
 }
 
 void FrameBench::run_into_reset(const spec::FrameState& frame, const NextTriangle& next,
                                 uint64_t cycles) {
-  memory_.start(core::FrameBuffer(unit_.contract(), frame));
+  memory_.start(frame, core::FrameBuffer(unit_.contract(), frame), unit_.cycle());
   frames_.offer(frame);
   Progress progress;
   progress.start = progress.last_event = unit_.cycle();
@@ -57,16 +74,43 @@ void FrameBench::run_into_reset(const spec::FrameState& frame, const NextTriangl
   reset();
 }
 
+std::array<timing::Cause, timing::kUnits> FrameBench::run_close_up(const spec::FrameState& frame,
+                                                                   const NextTriangle& next,
+                                                                   Listener* listener,
+                                                                   const CloseUp& close_up) {
+  memory_.start(frame, core::FrameBuffer(unit_.contract(), frame), unit_.cycle());
+  frames_.offer(frame);
+  Progress progress;
+  progress.drained = true;  // the counters are read here
+  FrameResult counted;
+  bool ended = false;
+  for (uint64_t cycle = 0; !ended && cycle < close_up.until; ++cycle) {
+    if (cycle == close_up.from && !close_up.trace.empty() && !trace(close_up.trace)) {
+      throw RtlError(fmt::format("{}: cannot be written", close_up.trace));
+    }
+    if (cycle == close_up.at) counters_.start();
+    ended = step(&progress, next, listener);
+    if (cycle == close_up.at) counters_.read(1, &counted.spent, &counted.counters);
+  }
+  std::array<timing::Cause, timing::kUnits> causes;
+  causes.fill(timing::Cause::kStarved);  // if the frame ended before
+  for (size_t u = 0; u < timing::kUnits; ++u) {
+    for (size_t c = 0; c < timing::kCauses; ++c) {
+      if (counted.spent.units[u].spent[c] > 0) causes[u] = static_cast<timing::Cause>(c);
+    }
+  }
+  return causes;
+}
+
 // One cycle; true once the end of the frame is taken.
 bool FrameBench::step(Progress* p, const NextTriangle& next, Listener* listener) {
   const uint64_t cycle = unit_.cycle();
   // A frame that waits was offered by run(); a triangle follows when its port does not stall.
-  if (!triangles_.offered() && p->more && !stalls_(Port::kTriangle, cycle)) {
-    spec::Triangle triangle;
-    p->more = next(&triangle);
-    if (p->more) triangles_.offer(triangle);
+  if (!p->held && p->more) p->held = p->more = next(&p->triangle);
+  if (p->held && !triangles_.offered() && !stalls_(Port::kTriangle, cycle)) {
+    triangles_.offer(p->triangle);
   }
-  const bool at_end = !p->more && !triangles_.offered();
+  const bool at_end = !p->held;
   if (at_end && !stalls_(Port::kEnd, cycle)) end_valid_.set_bit(true);
   clear_ready_.set_bit(!stalls_(Port::kClear, cycle));
   memory_.drive(stalls_, cycle);
@@ -87,14 +131,22 @@ bool FrameBench::step(Progress* p, const NextTriangle& next, Listener* listener)
     }
   }
   if (cleared || written) p->last_write = cycle + 1;
-  if (triangle_taken) ++p->triangles;
+  if (triangle_taken) ++p->result.triangles;
+  if (at_end && end_ready_.bit() && !p->drained) {
+    p->drained = true;
+    const auto drained = static_cast<timing::Cycle>(cycle - p->start);
+    counters_.read(drained, &p->result.spent, &p->result.counters);
+  }
   if (moved) p->last_event = cycle;
   if (cycle - p->last_event > kDeadlockCycles) {
     throw RtlError(fmt::format("top: nothing moves since cycle {}", p->last_event));
   }
   unit_.clock();
   if (frame_taken) frames_.withdraw();
-  if (triangle_taken) triangles_.withdraw();
+  if (triangle_taken) {
+    triangles_.withdraw();
+    p->held = false;
+  }
   if (ended) end_valid_.set_bit(false);
   return ended;
 }

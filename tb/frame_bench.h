@@ -3,15 +3,21 @@
 
 #include <functional>
 
+#include "tb/counters.h"
 #include "tb/memory.h"
 
 namespace pineda::tb {
 
 struct BenchOptions {
-  int depth_latency_cycles = spec::kHighTile.depth_latency_cycles;
+  int depth_latency_cycles = spec::kHighTile.depth_latency_cycles;  // of an ideal memory
+  std::shared_ptr<MemoryTiming> memory;  // in its place; serves one bench at a time
   StallMode stall_mode = StallMode::kNone;
   uint64_t seed = 0;
 };
+
+/// The memory of a bench. Throws RtlError if the design cannot keep up with its latency.
+std::shared_ptr<MemoryTiming> memory_of(const BenchOptions& options,
+                                        const spec::Contract& contract);
 
 /// Gives the next triangle of a frame; false at its end.
 using NextTriangle = std::function<bool(spec::Triangle*)>;
@@ -19,6 +25,16 @@ using NextTriangle = std::function<bool(spec::Triangle*)>;
 struct FrameResult {
   uint64_t cycles = 0;     // from the frame's first clock edge to the last write accepted
   uint64_t triangles = 0;  // accepted
+  timing::CycleCounters spent;
+  core::FrameCounters counters;
+};
+
+/// Some cycles of a frame, looked at closely.
+struct CloseUp {
+  uint64_t from = 0;   // the first cycle that the waveform shows
+  uint64_t at = 0;     // what the units do in this one is counted; from <= at < until
+  uint64_t until = 0;  // the first cycle that is not run any more
+  std::string trace;   // file of the waveform; empty: none
 };
 
 /// Runs frames, one after the other, from one reset on.
@@ -33,6 +49,14 @@ class FrameBench {
   FrameResult run(const spec::FrameState& frame, const NextTriangle& next, Listener* listener);
   /// The same, but resets in the middle, `cycles` after the start, and leaves the pipeline idle.
   void run_into_reset(const spec::FrameState& frame, const NextTriangle& next, uint64_t cycles);
+
+  /// The bench's first frame up to the end of the close-up, where the bench is left as it is: good
+  /// for nothing more. The waveform is whole once the bench is gone. Returns each unit's cause in
+  /// cycle `at`. Throws RtlError if the waveform cannot be written.
+  std::array<timing::Cause, timing::kUnits> run_close_up(const spec::FrameState& frame,
+                                                         const NextTriangle& next,
+                                                         Listener* listener,
+                                                         const CloseUp& close_up);
 
   /// Memories as the last frame left them. Hits are counted when a listener is there.
   const core::FrameBuffer& buffer() const { return memory_.buffer(); }
@@ -50,6 +74,7 @@ class FrameBench {
   PortData end_valid_, end_ready_, clear_valid_, clear_ready_, idle_;
   Tap<spec::SetupPrim> prims_;
   Tap<spec::Stamp> stamps_;
+  Counters counters_;
   MemoryEnd memory_;
 };
 

@@ -11,28 +11,32 @@ MemoryEnd::Depth::Depth(const RtlUnit& unit)
       response_valid(unit.port("depth_rsp_valid_i")),
       response(unit, "depth_rsp_i") {}
 
-MemoryEnd::MemoryEnd(const RtlUnit& unit, int latency_cycles)
+MemoryEnd::MemoryEnd(const RtlUnit& unit, std::shared_ptr<MemoryTiming> timing)
     : contract_(unit.contract()),
       color_writes_(unit, "color_wr"),
-      color_words_(contract_, color_writes_.payload()) {
+      color_words_(contract_, color_writes_.payload()),
+      timing_(std::move(timing)) {
   const spec::Design& d = contract_.design;
-  if (latency_cycles < 1 || latency_cycles > d.max_depth_latency_cycles) {
-    throw RtlError(fmt::format("depth latency is {} cycles, must be 1 to {}", latency_cycles,
-                               d.max_depth_latency_cycles));
-  }
   const auto& color = color_writes_.payload().packer();
   if (d.attributes > 0) attr_ = color.position("attr");
   if (d.flat_attributes > 0) flat_ = color.position("flat");
   if (!d.depth_test) return;
   depth_.emplace(unit);
-  due_.resize(static_cast<size_t>(latency_cycles));
+  due_.resize(static_cast<size_t>(contract_.width.inflight_stamps));  // the RTL has no more
   for (Response& response : due_) {
     response.words.resize(static_cast<size_t>(depth_->response.packer().words()) + 1);
   }
 }
 
+void MemoryEnd::start(const spec::FrameState& frame, core::FrameBuffer buffer, uint64_t cycle) {
+  buffer_ = std::move(buffer);
+  timing_->begin_frame(frame);
+  start_ = cycle;
+}
+
 void MemoryEnd::forget() {
-  for (Response& response : due_) response.valid = false;
+  answered_ = asked_;
+  last_response_ = -1;  // cycles start again
   color_writes_.forget();
   if (!depth_) return;
   depth_->response_valid.set_bit(false);
@@ -40,20 +44,40 @@ void MemoryEnd::forget() {
   depth_->writes.forget();
 }
 
-void MemoryEnd::drive(const Stalls& stalls, uint64_t cycle) {
-  color_writes_.set_ready(!stalls(Port::kColorWrite, cycle));
-  if (!depth_) return;
-  depth_->reads.set_ready(!stalls(Port::kDepthRead, cycle));
-  depth_->writes.set_ready(!stalls(Port::kDepthWrite, cycle));
-  Response& response = due_[cycle % due_.size()];
-  depth_->response_valid.set_bit(response.valid);
-  if (response.valid) depth_->response.set_packed(response.words.data());
-  response.valid = false;
+bool MemoryEnd::ready(const Stalls& stalls, MemoryPort port, uint64_t cycle) const {
+  const auto now = static_cast<memory::Cycle>(cycle - start_);
+  return !stalls(memory::stalling(port), cycle) && timing_->ready_from(port, now) == now;
 }
 
-void MemoryEnd::read(Response* response) const {
+void MemoryEnd::drive(const Stalls& stalls, uint64_t cycle) {
+  color_writes_.set_ready(ready(stalls, MemoryPort::kColorWrite, cycle));
+  if (!depth_) return;
+  depth_->reads.set_ready(ready(stalls, MemoryPort::kDepthRead, cycle));
+  depth_->writes.set_ready(ready(stalls, MemoryPort::kDepthWrite, cycle));
+  const Response& response = due_[answered_ % due_.size()];
+  const bool due = answered_ != asked_ && response.cycle == static_cast<memory::Cycle>(cycle);
+  depth_->response_valid.set_bit(due);
+  if (!due) return;
+  depth_->response.set_packed(response.words.data());
+  ++answered_;
+}
+
+memory::Cycle MemoryEnd::accept(MemoryPort port, uint64_t cycle, const StampWords& request) {
+  return timing_->accept(port, static_cast<memory::Cycle>(cycle - start_), request.x(),
+                         request.y()) +
+         static_cast<memory::Cycle>(start_);
+}
+
+void MemoryEnd::read(uint64_t cycle) {
   const int bits = contract_.design.depth_bits;
-  response->valid = true;
+  Response* const response = &due_[asked_++ % due_.size()];
+  response->cycle = accept(MemoryPort::kDepthRead, cycle, depth_->read_words);
+  if (response->cycle <= std::max(last_response_, static_cast<memory::Cycle>(cycle))) {
+    throw RtlError(
+        fmt::format("memory: a read accepted in cycle {} is answered in {}, one before it in {}",
+                    cycle, response->cycle, last_response_));
+  }
+  last_response_ = response->cycle;
   std::fill(response->words.begin(), response->words.end(), 0);
   buffer_.for_each_lane(contract_, depth_->read_words.x(), depth_->read_words.y(),
                         depth_->read_words.mask(), [&](size_t lane, size_t sample) {
@@ -89,16 +113,17 @@ void MemoryEnd::write_color() {
 }
 
 bool MemoryEnd::sample(uint64_t cycle, Listener* listener) {
-  // The slot of this cycle has just been answered: it is that of cycle + latency now. A read sees
-  // the writes accepted before its cycle, so it comes first.
-  if (depth_ && depth_->reads.taken()) read(&due_[cycle % due_.size()]);
+  // A read sees the writes accepted before its cycle, so it comes first.
+  if (depth_ && depth_->reads.taken()) read(cycle);
   const bool depth = depth_ && depth_->writes.taken();
   if (depth) {
+    accept(MemoryPort::kDepthWrite, cycle, depth_->write_words);
     write_depth();
     if (listener != nullptr) listener->depth(cycle, depth_->writes.value());
   }
   const bool color = color_writes_.taken();
   if (color) {
+    accept(MemoryPort::kColorWrite, cycle, color_words_);
     write_color();
     if (listener != nullptr) listener->color(cycle, color_writes_.value());
   }

@@ -1,15 +1,25 @@
-// The depth and colour memories behind a Verilated unit: fixed read latency, masked writes.
+// The depth and colour memories behind a Verilated unit, as fast as a MemoryTiming says.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "model/core/frame.h"
-#include "tb/stalls.h"
+#include "model/memory/stalls.h"
+#include "model/memory/timing.h"
 #include "tb/stream.h"
 
 namespace pineda::tb {
+
+using memory::kStallModes;
+using memory::MemoryPort;
+using memory::MemoryTiming;
+using memory::Port;
+using memory::stall_mode_name;
+using memory::StallMode;
+using memory::Stalls;
 
 /// Sees each token that leaves a unit, with the cycle of its handshake.
 class Listener {
@@ -50,14 +60,16 @@ class StampWords {
   Place x_, y_, mask_;
 };
 
-/// Serves the memory ports of a unit, cycle by cycle. A read accepted in cycle t is answered in
-/// t + latency and sees the writes accepted before t; nothing outside the frame exists. A design
-/// without depth has colour writes alone.
+/// Serves the memory ports of a unit, cycle by cycle: `timing` says when they take requests, as far
+/// as they do not stall, and when reads are answered. A read sees the writes accepted in earlier
+/// cycles; nothing outside the frame exists. A design without depth has colour writes alone.
+/// Errors   RtlError: responses that do not come in order, one a cycle.
 class MemoryEnd {
  public:
-  MemoryEnd(const RtlUnit& unit, int latency_cycles);
+  MemoryEnd(const RtlUnit& unit, std::shared_ptr<MemoryTiming> timing);
 
-  void start(core::FrameBuffer buffer) { buffer_ = std::move(buffer); }
+  /// A frame whose cycle 0 is `cycle`.
+  void start(const spec::FrameState& frame, core::FrameBuffer buffer, uint64_t cycle);
   /// Before settle: ready signals and a due response.
   void drive(const Stalls& stalls, uint64_t cycle);
   /// After settle: takes reads and writes. True when a write was accepted.
@@ -70,7 +82,7 @@ class MemoryEnd {
 
  private:
   struct Response {
-    bool valid = false;
+    memory::Cycle cycle = 0;
     spec::Packed words;
   };
   /// The ports of the depth memory.
@@ -83,7 +95,9 @@ class MemoryEnd {
     PortData response_valid;
     PayloadPort<spec::DepthData> response;
   };
-  void read(Response* response) const;
+  bool ready(const Stalls& stalls, MemoryPort port, uint64_t cycle) const;
+  memory::Cycle accept(MemoryPort port, uint64_t cycle, const StampWords& request);
+  void read(uint64_t cycle);
   void write_depth();
   void write_color();
 
@@ -91,8 +105,12 @@ class MemoryEnd {
   std::optional<Depth> depth_;
   SinkEnd<spec::ColorWrite> color_writes_;
   StampWords color_words_;
-  int attr_ = 0, flat_ = 0;    // positions of the fields
-  std::vector<Response> due_;  // by cycle modulo its size
+  int attr_ = 0, flat_ = 0;  // positions of the fields
+  std::shared_ptr<MemoryTiming> timing_;
+  uint64_t start_ = 0;               // the frame's cycle 0
+  std::vector<Response> due_;        // read n's is at n modulo its size
+  size_t asked_ = 0, answered_ = 0;  // reads
+  memory::Cycle last_response_ = -1;
   core::FrameBuffer buffer_;
 };
 

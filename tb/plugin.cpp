@@ -20,8 +20,14 @@
 #include "Vloopback.h"
 #define PINEDA_HAS_LOOPBACK
 #endif
-#include "Vinterp_ztest_unit.h"
+#if __has_include("Vtraversal_unit.h")
 #include "Vtraversal_unit.h"
+#define PINEDA_HAS_TRAVERSAL
+#endif
+#if __has_include("Vinterp_ztest_unit.h")
+#include "Vinterp_ztest_unit.h"
+#define PINEDA_HAS_INTERP_ZTEST
+#endif
 #include "verilated.h"
 #include "verilated_fst_c.h"
 
@@ -83,6 +89,7 @@ struct Setup : Unit<Vsetup_unit> {
 };
 #endif
 
+#ifdef PINEDA_HAS_TRAVERSAL
 struct Traversal : Unit<Vtraversal_unit> {
   Traversal() {
     PORT(rst_ni)
@@ -99,6 +106,7 @@ struct Traversal : Unit<Vtraversal_unit> {
     PORT(idle_o)
   }
 };
+#endif
 
 #ifdef PINEDA_DEPTH
 #define DEPTH_PORTS       \
@@ -119,6 +127,7 @@ struct Traversal : Unit<Vtraversal_unit> {
   PORT(color_wr_ready_i) \
   PORT(color_wr_o)
 
+#ifdef PINEDA_HAS_INTERP_ZTEST
 struct InterpZtest : Unit<Vinterp_ztest_unit> {
   InterpZtest() {
     PORT(rst_ni)
@@ -137,6 +146,7 @@ struct InterpZtest : Unit<Vinterp_ztest_unit> {
     PORT(idle_o)
   }
 };
+#endif
 
 #ifdef PINEDA_HAS_LOOPBACK
 struct Loopback : Unit<Vloopback> {
@@ -149,6 +159,10 @@ struct Loopback : Unit<Vloopback> {
 #ifdef PINEDA_HAS_TOP
 // The streams between the units of the top, read only.
 #define TAP(name) ports.push_back(port(#name, model->rootp->raster_top__DOT__##name));
+
+// Counters of what happened in it: an array of 64-bit counts by kind.
+#define COUNTERS(name, where) \
+  ports.push_back(port(name, model->rootp->raster_top__DOT__##where##__DOT__count_q.m_storage));
 
 struct Top : Unit<Vraster_top> {
   Top() {
@@ -172,6 +186,23 @@ struct Top : Unit<Vraster_top> {
     TAP(stamp_valid)
     TAP(stamp_ready)
     TAP(stamp)
+    COUNTERS("setup_cycles", u_setup__DOT__u_cycles)
+    COUNTERS("setup_drops", u_setup__DOT__u_style__DOT__u_drop__DOT__u_drops)
+    COUNTERS("tiles_cycles", u_traversal__DOT__u_tiles__DOT__u_cycles)
+    COUNTERS("tiles_tests", u_traversal__DOT__u_tiles__DOT__u_tests)
+    COUNTERS("stamps_cycles", u_traversal__DOT__u_stamps__DOT__u_cycles)
+    COUNTERS("stamps_sent", u_traversal__DOT__u_stamps__DOT__u_sent)
+    COUNTERS("interp_ztest_cycles", u_interp_ztest__DOT__u_cycles)
+    COUNTERS("samples_passed", u_interp_ztest__DOT__u_passed)
+    COUNTERS("samples_failed", u_interp_ztest__DOT__u_failed)
+#ifdef PINEDA_DEPTH
+    COUNTERS("depth_read_stalls", u_interp_ztest__DOT__u_depth_read_stalls)
+    COUNTERS("depth_write_stalls", u_interp_ztest__DOT__u_depth_write_stalls)
+#endif
+    COUNTERS("color_write_stalls", u_interp_ztest__DOT__u_color_write_stalls)
+    COUNTERS("prims_levels", u_prim_levels)
+    COUNTERS("tiles_levels", u_traversal__DOT__u_levels)
+    COUNTERS("stamps_levels", u_stamp_levels)
   }
   ~Top() override {
     if (fst) fst->close();
@@ -205,8 +236,12 @@ PinedaRtl* open_unit(const char* name) {
 #ifdef PINEDA_HAS_SETUP
   if (unit == "setup") rtl = std::make_unique<Setup>();
 #endif
+#ifdef PINEDA_HAS_TRAVERSAL
   if (unit == "traversal") rtl = std::make_unique<Traversal>();
+#endif
+#ifdef PINEDA_HAS_INTERP_ZTEST
   if (unit == "interp_ztest") rtl = std::make_unique<InterpZtest>();
+#endif
 #ifdef PINEDA_HAS_LOOPBACK
   if (unit == "loopback") rtl = std::make_unique<Loopback>();
 #endif

@@ -33,8 +33,9 @@ $(WORK)/pineda_pkg.sv: $(EMIT)
 	$(EMIT) $(DESIGN) $(WORK)/emitted --bench
 	cd $(WORK)/emitted && for file in *; do cmp -s $$file ../$$file || cp $$file ..; done
 
+# With counters of what the cycles are spent on.
 $(WORK)/raster_top.stamp: $(WORK)/pineda_pkg.sv $(RTL_SOURCES) $(LINT) $(RTL)/lint/taps.vlt $(SELF)
-	$(VERILATOR) $(FLAGS) Vraster_top --trace-fst --Mdir $(WORK)/raster_top \
+	$(VERILATOR) $(FLAGS) Vraster_top --trace-fst -DPINEDA_COUNTERS --Mdir $(WORK)/raster_top \
 	  --top-module raster_top $(LINT) $(RTL)/lint/taps.vlt $< $(RTL_SOURCES)
 	touch $@
 

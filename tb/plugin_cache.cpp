@@ -27,14 +27,6 @@ std::string environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-bool on_path(const std::string& tool) {
-  std::istringstream path(environment("PATH"));
-  for (std::string folder; std::getline(path, folder, ':');) {
-    if (access((fs::path(folder) / tool).c_str(), X_OK) == 0) return true;
-  }
-  return false;
-}
-
 std::string read(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
@@ -42,10 +34,18 @@ std::string read(const fs::path& file) {
   return text.str();
 }
 
+/// A kind of plug-in: who builds it.
+struct Kind {
+  std::string name;      // NAME.mk, NAME.cpp and NAME.h in tb/
+  std::string compiler;  // empty: that of make
+  std::string what;      // "the RTL"
+};
+
 /// Everything that a plug-in is made from, so that no stale one is ever taken.
-std::string key_of(const spec::Contract& contract) {
-  std::vector<fs::path> files{kSource / "tb/plugin.mk", kSource / "tb/plugin.cpp",
-                              kSource / "tb/plugin.h", kSource / "tb/plugin.map"};
+std::string key_of(const spec::Contract& contract, const Kind& kind) {
+  std::vector<fs::path> files{kSource / "tb/plugin.map", kSource / "model/spec/pack.h"};
+  for (const char* ending : {".mk", ".cpp", ".h"})
+    files.push_back(kSource / "tb" / (kind.name + ending));
   for (const char* folder : {"rtl", "rtl/lib", "rtl/lint"}) {
     for (const auto& entry : fs::directory_iterator(kSource / folder)) {
       // The committed package is not used: each design generates its own.
@@ -55,20 +55,22 @@ std::string key_of(const spec::Contract& contract) {
     }
   }
   std::sort(files.begin(), files.end());
-  std::string text = spec::package_text(contract) + environment("CXXFLAGS");
+  std::string text =
+      spec::package_text(contract) + environment("CXXFLAGS") + environment("UNITS") + kind.compiler;
   for (const auto& file : files) text += file.string() + read(file);
   return fmt::format("{}_{:016x}", contract.design.name, spec::text_hash(text));
 }
 
-void require_tools(const spec::Contract& contract) {
-  for (const char* tool : {"verilator", "make", "g++"}) {
+void require_tools(const spec::Contract& contract, const Kind& kind) {
+  const std::string compiler = kind.compiler.empty() ? "g++" : kind.compiler;
+  for (const std::string& tool : {std::string("verilator"), std::string("make"), compiler}) {
     if (on_path(tool)) continue;
     throw PluginError(
         fmt::format("no RTL of design '{}' is built yet, and {} is missing to build it; pineda "
                     "render and pineda time serve without",
                     contract.design.name, tool));
   }
-  if (!fs::exists(kSource / "tb/plugin.mk")) {
+  if (!fs::exists(kSource / "tb" / (kind.name + ".mk"))) {
     throw PluginError(
         fmt::format("no RTL of design '{}' is built yet, and its sources are not in {}",
                     contract.design.name, kSource.string()));
@@ -89,17 +91,27 @@ fs::path make_work_folder(const fs::path& cache, const std::string& key) {
 
 }  // namespace
 
+bool on_path(const std::string& tool) {
+  std::istringstream path(environment("PATH"));
+  for (std::string folder; std::getline(path, folder, ':');) {
+    if (access((fs::path(folder) / tool).c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
 std::string plugin_cache_folder() {
   if (const std::string own = environment("PINEDA_CACHE"); !own.empty()) return own;
   if (const std::string xdg = environment("XDG_CACHE_HOME"); !xdg.empty()) return xdg + "/pineda";
   return environment("HOME") + "/.cache/pineda";
 }
 
-std::string cached_plugin(const spec::Contract& contract,
-                          const std::function<void(const std::string&)>& say) {
+namespace {
+
+std::string cached(const spec::Contract& contract, const Kind& kind,
+                   const std::function<void(const std::string&)>& say) {
   const fs::path cache = fs::absolute(plugin_cache_folder());
-  require_tools(contract);
-  const std::string key = key_of(contract);
+  require_tools(contract, kind);
+  const std::string key = key_of(contract, kind);
   const fs::path result = cache / (key + ".so");
   if (fs::exists(result)) return result.string();
   if (cache.string().find_first_of(" \t'\"$#%:") != std::string::npos) {
@@ -110,16 +122,19 @@ std::string cached_plugin(const spec::Contract& contract,
   }
   const fs::path work = make_work_folder(cache, key);
   if (say) {
-    say(fmt::format("building the RTL of design '{}' once, into {}: one to three minutes",
+    say(fmt::format("building {} of design '{}' once, into {}: one to three minutes", kind.what,
                     contract.design.name, cache.string()));
   }
   std::ofstream(work / "design.toml") << spec::design_toml(contract.design);
-  const fs::path emit = fs::read_symlink("/proc/self/exe").parent_path() / "bin/emit_package";
+  // Programs lie in the build tree or in its bin/.
+  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path beside = folder / "emit_package";
+  const fs::path emit = fs::exists(beside) ? beside : folder / "bin/emit_package";
   const std::string command = fmt::format(
-      "make -s -j{0} -f '{1}/tb/plugin.mk' DESIGN={2}/design.toml EMIT='{3}' WORK={2}/objects "
-      "OUT={2}/plugin.so > {2}/log 2>&1",
+      "make -s -j{0} -f '{1}/tb/{4}.mk' DESIGN={2}/design.toml EMIT='{3}' WORK={2}/objects "
+      "OUT={2}/plugin.so {5} > {2}/log 2>&1",
       std::max(1u, std::thread::hardware_concurrency()), kSource.string(), work.string(),
-      emit.string());
+      emit.string(), kind.name, kind.compiler.empty() ? "" : "CXX=" + kind.compiler);
   if (std::system(command.c_str()) != 0 || !fs::exists(work / "plugin.so")) {
     throw PluginError(fmt::format("the RTL of design '{}' could not be built: see {}",
                                   contract.design.name, (work / "log").string()));
@@ -128,6 +143,18 @@ std::string cached_plugin(const spec::Contract& contract,
   std::error_code ignored;
   fs::remove_all(work, ignored);
   return result.string();
+}
+
+}  // namespace
+
+std::string cached_plugin(const spec::Contract& contract,
+                          const std::function<void(const std::string&)>& say) {
+  return cached(contract, {"plugin", "", "the RTL"}, say);
+}
+
+std::string cached_bench_plugin(const spec::Contract& contract, const std::string& compiler,
+                                const std::function<void(const std::string&)>& say) {
+  return cached(contract, {"bench_plugin", compiler, "the bare RTL (" + compiler + ")"}, say);
 }
 
 }  // namespace pineda::tb

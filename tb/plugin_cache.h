@@ -21,4 +21,11 @@ std::string plugin_cache_folder();
 std::string cached_plugin(const spec::Contract& contract,
                           const std::function<void(const std::string&)>& say);
 
+/// The same of the bench plug-in (bench_plugin.h), built by tb/bench_plugin.mk with this compiler.
+std::string cached_bench_plugin(const spec::Contract& contract, const std::string& compiler,
+                                const std::function<void(const std::string&)>& say);
+
+/// Is there such a program on the path?
+bool on_path(const std::string& tool);
+
 }  // namespace pineda::tb

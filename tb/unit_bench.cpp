@@ -24,7 +24,7 @@ InterpZtestBench::InterpZtestBench(const RtlLibrary& library, const BenchOptions
       stalls_(options.stall_mode, options.seed),
       stamps_(unit_, "stamp"),
       idle_(unit_.port("idle_o")),
-      memory_(unit_, options.depth_latency_cycles) {
+      memory_(unit_, memory_of(options, unit_.contract())) {
   if (unit_.contract().design.depth_test) {
     depth_func_ = unit_.port("depth_func_i");
     depth_write_ = unit_.port("depth_write_i");
@@ -47,7 +47,7 @@ InterpZtestBench::Writes InterpZtestBench::run_on(core::FrameBuffer memory,
     *static_cast<uint16_t*>(unit_.port("frame_height_i").data) =
         static_cast<uint16_t>(frame.height);
   }
-  memory_.start(std::move(memory));
+  memory_.start(frame, std::move(memory), unit_.cycle());
   size_t next = 0;
   uint64_t last_event = unit_.cycle();
   for (bool done = false; !done;) {

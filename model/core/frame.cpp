@@ -1,8 +1,5 @@
 #include "model/core/frame.h"
 
-#include <algorithm>
-#include <cstddef>
-
 namespace pineda::core {
 
 using spec::Contract;
@@ -18,51 +15,51 @@ struct NoSink {
 
 }  // namespace
 
-FrameBuffer::FrameBuffer(const Contract& c, const spec::FrameState& frame)
-    : width(frame.width), height(frame.height), channels(spec::channels(c.design)) {
-  clear(c);
-}
-
-void FrameBuffer::clear(const Contract& c) {
-  const size_t samples = static_cast<size_t>(width) * static_cast<size_t>(height);
-  depth.assign(samples, cleared_depth(c.design));
-  color.assign(samples * static_cast<size_t>(channels), 0);
-  hits.assign(samples, 0);
-}
-
-spec::DepthData FrameBuffer::read(const Contract& c, int x, int y, uint32_t mask) const {
-  spec::DepthData data;
-  for_each_lane(c, x, y, mask, [&](size_t lane, size_t sample) { data.z[lane] = depth[sample]; });
-  return data;
-}
-
-void FrameBuffer::write(const Contract& c, const spec::DepthWrite& w) {
-  for_each_lane(c, w.x, w.y, w.mask,
-                [&](size_t lane, size_t sample) { depth[sample] = w.z[lane]; });
-}
-
-void FrameBuffer::write(const Contract& c, const spec::ColorWrite& w) {
-  const size_t attributes = static_cast<size_t>(c.design.attributes);
-  const auto n = static_cast<size_t>(channels);
-  for_each_lane(c, w.x, w.y, w.mask, [&](size_t lane, size_t sample) {
-    const auto to = color.begin() + static_cast<std::ptrdiff_t>(sample * n);
-    const auto flat = std::copy_n(w.attr[lane].begin(), attributes, to);
-    std::copy_n(w.flat.begin(), n - attributes, flat);
-  });
-}
-
-void FrameBuffer::count_hits(const Contract& c, const spec::Stamp& stamp) {
-  for_each_lane(c, stamp.x, stamp.y, stamp.mask, [&](size_t, size_t sample) {
-    if (hits[sample] != UINT16_MAX) ++hits[sample];
-  });
-}
-
 uint32_t Renderer::test(const spec::Stamp& stamp, const spec::Fragment& fragment) {
   if (!tests_depth(contract_, frame_)) return stamp.mask;
   const auto stored = buffer_.read(contract_, stamp.x, stamp.y, stamp.mask);
   return depth_test(contract_, frame_.depth, stamp.mask, fragment.z, stored.z);
 }
 
-Drop Renderer::draw(const spec::Triangle& triangle) { return draw(triangle, NoSink{}); }
+Renderer::Renderer(const Contract& contract, const spec::FrameState& frame, TileRows rows)
+    : contract_(contract),
+      frame_(frame),
+      rows_(rows),
+      buffer_(contract, frame),
+      tiles_(contract),
+      cover_(contract),
+      shader_(contract, frame, TileShader::Values::kAll) {}
+
+Drop Renderer::draw(const spec::Triangle& triangle) {
+  // Exact planes are made for stamps only.
+  if (contract_.design.reciprocal_scheme == spec::ReciprocalScheme::kNone) {
+    return draw(triangle, NoSink{});
+  }
+  const Drop drop = setup(contract_, frame_, triangle, &prim_);
+  ++counters_.triangles;
+  ++counters_.dropped[static_cast<size_t>(drop)];
+  if (drop != Drop::kNone) return drop;
+  if (!clip_rows(contract_, rows_.first, rows_.last, &prim_)) return drop;
+  tiles_.begin(prim_);
+  shader_.begin(prim_);
+  for (TileWalk::Test test; (test = tiles_.next(&cover_)) != TileWalk::Test::kEnd;) {
+    ++counters_.tiles_tested;
+    if (test == TileWalk::Test::kRejected) {
+      ++counters_.tiles_rejected;
+      continue;
+    }
+    counters_.tiles_accepted += cover_.accepted == 7 ? 1 : 0;
+    tiles_.cover_stamps(false, &cover_, &covered_);
+    shader_.count_hits(cover_, &buffer_);
+    shader_.draw(cover_, &buffer_);
+  }
+  counters_.stamps += covered_.stamps;
+  counters_.fragments += covered_.samples;
+  counters_.interpolated += shader_.counts().stamps - passed_.stamps;
+  counters_.passed += shader_.counts().samples - passed_.samples;
+  covered_ = {};
+  passed_ = shader_.counts();
+  return drop;
+}
 
 }  // namespace pineda::core

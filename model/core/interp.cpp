@@ -64,10 +64,8 @@ Write addressed(const Stamp& stamp, uint32_t mask) {
   return write;
 }
 
-// The comparisons that a depth function lets pass.
-struct PassesWhen {
-  bool less, equal, greater;
-};
+}  // namespace
+
 PassesWhen passes_when(DepthFunc func) {
   switch (func) {
     case DepthFunc::kLess:
@@ -90,8 +88,6 @@ PassesWhen passes_when(DepthFunc func) {
   }
   return {false, false, false};
 }
-
-}  // namespace
 
 void interpolate_depth(const Contract& c, const Stamp& stamp, Fragment* fragment) {
   const spec::Design& d = c.design;

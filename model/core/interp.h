@@ -43,6 +43,12 @@ inline void interpolate(const spec::Contract& contract, const spec::Stamp& stamp
 /// Whether samples are compared with stored depths.
 bool tests_depth(const spec::Contract& contract, const spec::FrameState& frame);
 
+/// The outcomes of comparing a new depth with the stored one that a depth function lets pass.
+struct PassesWhen {
+  bool less, equal, greater;
+};
+PassesWhen passes_when(spec::DepthFunc func);
+
 /// Lanes of `mask` that pass against the stored codes. Depth off passes all.
 uint32_t depth_test(const spec::Contract& contract, spec::DepthFunc func, uint32_t mask,
                     const std::array<uint32_t, spec::kMaxLanes>& z,

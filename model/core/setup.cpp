@@ -90,15 +90,16 @@ struct PlaneSetup {
 };
 
 // gradient * area2 in units of 2^-(S + fraction of the values), in x and y.
+template <class Integer>
 struct Numerators {
-  int128_t x;
-  int128_t y;
+  Integer x;
+  Integer y;
 };
-Numerators numerators(const PlaneSetup& s, const std::array<int64_t, 3>& value) {
-  const int64_t d1 = value[1] - value[0];
-  const int64_t d2 = value[2] - value[0];
-  return {int128_t{d1} * s.dy[1] - int128_t{d2} * s.dy[0],
-          int128_t{d2} * s.dx[0] - int128_t{d1} * s.dx[1]};
+template <class Integer>
+Numerators<Integer> numerators(const PlaneSetup& s, const std::array<int64_t, 3>& value) {
+  const Integer d1 = value[1] - value[0];
+  const Integer d2 = value[2] - value[0];
+  return {d1 * s.dy[1] - d2 * s.dy[0], d2 * s.dx[0] - d1 * s.dx[1]};
 }
 
 // numerator * 2^(S - fraction_bits) / area2 in units of 2^-f.
@@ -111,27 +112,37 @@ int128_t gradient(const Contract& c, const Reciprocal& reciprocal, int128_t nume
 
 // Plane through (0, value[0]) at the anchor and the two other vertices; values have
 // `fraction_bits`, the plane has F and wraps at `bits`.
+template <class Integer>
 Plane plane(const Contract& c, const PlaneSetup& s, const std::array<int64_t, 3>& value,
             int fraction_bits, int bits) {
   const int f = c.design.gradient_fraction_bits;
   const int subpixel_bits = c.design.subpixel_bits;
-  const Numerators n = numerators(s, value);
-  // Up to 92 bits, which wrap only in the end: with 32 bits of depth and 12 subpixel bits the
-  // reference has more than 64 before its low S ones are rounded away.
+  const auto n = numerators<Integer>(s, value);
+  // The reference has up to 92 bits, which wrap only in the end. Of them bits + S <= 66 matter; the
+  // two that are more than 64 with 32 bits of depth and 12 subpixel bits need the wide sum.
   const int128_t dx = gradient(c, s.reciprocal, n.x, fraction_bits, f);
   const int128_t dy = gradient(c, s.reciprocal, n.y, fraction_bits, f);
-  const int128_t at_ref =
-      (int128_t{value[0]} << (f - fraction_bits + subpixel_bits)) + dx * s.ref_x + dy * s.ref_y;
   Plane p;
   p.dx = wrap(dx, bits);
   p.dy = wrap(dy, bits);
-  p.ref = wrap(round_half_up(at_ref, subpixel_bits), bits);
+  const int scale = f - fraction_bits + subpixel_bits;
+  if (bits + subpixel_bits <= 64) {
+    const auto at_ref = static_cast<uint64_t>(value[0]) * (uint64_t{1} << scale) +
+                        static_cast<uint64_t>(dx) * static_cast<uint64_t>(s.ref_x) +
+                        static_cast<uint64_t>(dy) * static_cast<uint64_t>(s.ref_y) +
+                        (uint64_t{1} << (subpixel_bits - 1));
+    p.ref = wrap(static_cast<int64_t>(at_ref) >> subpixel_bits, bits);
+  } else {
+    const int128_t at_ref =
+        int128_t{value[0]} * (int128_t{1} << scale) + dx * s.ref_x + dy * s.ref_y;
+    p.ref = wrap(round_half_up(at_ref, subpixel_bits), bits);
+  }
   return p;
 }
 
 // max(|dz/dx|, |dz/dy|) in units of 2^-8 codes/px, saturated.
 int128_t depth_magnitude(const Contract& c, const PlaneSetup& s, const std::array<int64_t, 3>& z) {
-  const Numerators n = numerators(s, z);
+  const auto n = numerators<int128_t>(s, z);
   const int128_t limit = int128_t{1} << (c.width.bias_magnitude - 1);
   const auto magnitude = [&](int128_t numerator) {
     const int128_t g = gradient(c, s.reciprocal, numerator, spec::kDepthInputFractionBits,
@@ -167,20 +178,22 @@ spec::PerspectiveSet perspective_set(const Contract& c, const Vertices& v,
 
 // Planes of depth and of affine attributes.
 void make_planes(const Contract& c, const FrameState& frame, const Vertices& v,
-                 const VertexAttributes& attr, const PlaneSetup& s, spec::PlaneSet* set) {
+                 const VertexAttributes& attr, const PlaneSetup& s, Planes wanted,
+                 spec::PlaneSet* set) {
   if (c.design.depth_test) {
     const std::array<int64_t, 3> z{v[0]->z, v[1]->z, v[2]->z};
-    set->z = plane(c, s, z, spec::kDepthInputFractionBits, c.width.depth_plane);
+    const auto of = c.width.depth_numerator < 64 ? plane<int64_t> : plane<int128_t>;
+    set->z = of(c, s, z, spec::kDepthInputFractionBits, c.width.depth_plane);
     if (frame.has_bias() || c.design.hierarchical_z) {
       const int128_t magnitude = depth_magnitude(c, s, z);
       set->z_bias = depth_bias(c, frame, magnitude);
       set->z_steep = c.design.hierarchical_z && magnitude >> steep_log2(c.design) != 0;
     }
   }
-  const size_t affine = c.design.perspective ? 0 : static_cast<size_t>(c.design.attributes);
-  for (size_t i = 0; i < affine; ++i) {
+  if (wanted != Planes::kAll || c.design.perspective) return;
+  for (size_t i = 0; i < static_cast<size_t>(c.design.attributes); ++i) {
     set->attr[i] =
-        plane(c, s, {(*attr[0])[i], (*attr[1])[i], (*attr[2])[i]}, 0, c.width.attr_plane);
+        plane<int64_t>(c, s, {(*attr[0])[i], (*attr[1])[i], (*attr[2])[i]}, 0, c.width.attr_plane);
   }
 }
 
@@ -192,14 +205,15 @@ const char* drop_name(Drop drop) {
   return kNames[static_cast<int>(drop)];
 }
 
-Drop setup(const Contract& c, const FrameState& frame, const Triangle& triangle, SetupPrim* out) {
+Drop setup(const Contract& c, const FrameState& frame, const Triangle& triangle, SetupPrim* out,
+           Planes wanted) {
   int64_t area2 = doubled_area(triangle);
   if (area2 == 0) return Drop::kZeroArea;
   if ((frame.cull == spec::Cull::kBack && area2 > 0) ||
       (frame.cull == spec::Cull::kFront && area2 < 0)) {
     return Drop::kFacing;
   }
-  SetupPrim prim;
+  SetupPrim& prim = *out;
   if (const Drop drop = clip_box(c, frame, triangle, &prim); drop != Drop::kNone) return drop;
 
   // Canonical order: the anchor first, then clockwise.
@@ -218,6 +232,7 @@ Drop setup(const Contract& c, const FrameState& frame, const Triangle& triangle,
   for (size_t i = 0; i < 3; ++i) {
     prim.edge[i] = edge_function(c, *v[i], *v[(i + 1) % 3], x, y);
   }
+  if (wanted == Planes::kNone) return Drop::kNone;
 
   // Of each vertex in canonical order, or of the one that gives its own to all.
   const bool flat = frame.shade == spec::Shade::kFlat;
@@ -225,10 +240,10 @@ Drop setup(const Contract& c, const FrameState& frame, const Triangle& triangle,
   for (size_t i = 0; i < 3; ++i) attr[i] = flat ? &triangle.v[0].attr : &v[i]->attr;
   std::copy_n(triangle.v[0].attr.begin() + c.design.attributes, c.design.flat_attributes,
               prim.planes.flat.begin());
-  if (c.design.perspective) prim.planes.perspective = perspective_set(c, v, attr, x, y);
+  if (c.design.perspective && wanted == Planes::kAll)
+    prim.planes.perspective = perspective_set(c, v, attr, x, y);
   if (c.design.reciprocal_scheme == spec::ReciprocalScheme::kNone ||
       spec::plane_count(c.design) == 0) {
-    *out = prim;
     return Drop::kNone;
   }
 
@@ -237,8 +252,7 @@ Drop setup(const Contract& c, const FrameState& frame, const Triangle& triangle,
                           {int64_t{v[1]->y} - v[0]->y, int64_t{v[2]->y} - v[0]->y},
                           x - v[0]->x,
                           y - v[0]->y};
-  make_planes(c, frame, v, attr, planes, &prim.planes);
-  *out = prim;
+  make_planes(c, frame, v, attr, planes, wanted, &prim.planes);
   return Drop::kNone;
 }
 

@@ -1,6 +1,8 @@
 #include "model/scene/builtin.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "model/scene/random.h"
 
@@ -9,6 +11,8 @@ namespace {
 
 constexpr int kSpacingPx = 24;  // of the grid
 constexpr float kJitter = .2f;  // of the spacing
+
+constexpr double kLeastShare = .125;  // of a random triangle, of the square around it
 
 /// A jittered grid with random depths of a range, behind the triangles that are there.
 void add_grid(int width, int height, uint64_t seed, float nearest, float farthest,
@@ -48,6 +52,19 @@ void add_grid(int width, int height, uint64_t seed, float nearest, float farthes
   }
 }
 
+// Three points of the unit square, an eighth of it between them at least.
+std::array<std::array<double, 2>, 3> random_corners(Random* random, double* area) {
+  std::array<std::array<double, 2>, 3> corner{};
+  do {
+    for (auto& point : corner) {
+      for (double& value : point) value = random->between(0, 1);
+    }
+    const auto& [p, q, r] = corner;
+    *area = .5 * std::abs((q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1]));
+  } while (*area < kLeastShare);
+  return corner;
+}
+
 }  // namespace
 
 std::vector<ScreenTriangle> single_triangle(int width, int height) {
@@ -72,6 +89,31 @@ std::vector<ScreenTriangle> layered_grids(int width, int height) {
   for (const int place : kPlaces) {
     const float nearest = (static_cast<float>(place) + .1f) / 8;
     add_grid(width, height, static_cast<uint64_t>(place) + 1, nearest, nearest + .1f, &triangles);
+  }
+  return triangles;
+}
+
+std::vector<ScreenTriangle> random_triangles(const RandomScene& scene, int width, int height,
+                                             uint64_t seed) {
+  Random random(seed);
+  std::vector<ScreenTriangle> triangles(static_cast<size_t>(scene.triangles));
+  for (ScreenTriangle& t : triangles) {
+    t.id = static_cast<uint32_t>(&t - triangles.data());
+    double area = 0;
+    const auto corners = random_corners(&random, &area);
+    const double side = std::sqrt(scene.area_px / area);  // 0: the frame in place of a square
+    const double box_width = side > 0 ? side : width;
+    const double box_height = side > 0 ? side : height;
+    const double left = side > 0 ? double{random.between(0, 1)} * width - side / 2 : 0;
+    const double top = side > 0 ? double{random.between(0, 1)} * height - side / 2 : 0;
+    for (size_t i = 0; i < 3; ++i) {
+      ScreenVertex& v = t.v[i];
+      v.x = static_cast<float>(left + corners[i][0] * box_width);
+      v.y = static_cast<float>(top + corners[i][1] * box_height);
+      v.z = random.between(0, 1);
+      for (size_t k = 0; k < 3; ++k) v.rgba[k] = static_cast<uint8_t>(random.bits());
+      v.rgba[3] = 255;
+    }
   }
   return triangles;
 }

@@ -22,7 +22,8 @@
 namespace pineda::scene {
 namespace {
 
-constexpr std::string_view kHard = "hard/";  // before the name of a hard case
+constexpr std::string_view kHard = "hard/";      // before the name of a hard case
+constexpr std::string_view kRandom = "random/";  // before that of a random scene
 constexpr int kDefaultTessellation = 10;
 constexpr int kGreatestTessellation = 256;  // 4.2 million triangles
 
@@ -163,12 +164,26 @@ Scene open_teapot(const spec::Contract& contract, const std::string& name, const
   return open_mesh(contract, name, teapot(n), options);
 }
 
+template <class Make>
 Scene open_list(const spec::Contract& contract, const std::string& name, const Options& options,
-                Size fallback, std::vector<ScreenTriangle> (*make)(int width, int height)) {
+                Size fallback, Make make) {
   const auto frame = frame_of(contract, name, options, fallback);
   return snapped(contract, name, frame,
                  std::make_unique<ListReader>(make(frame.width, frame.height)),
                  rounded_slope(options));
+}
+
+Scene open_random(const spec::Contract& contract, const std::string& name, const Options& options) {
+  std::string known;
+  for (const RandomScene& random : kRandomScenes) {
+    if (name.substr(kRandom.size()) == random.name) {
+      return open_list(contract, name, options, Size{}, [&](int width, int height) {
+        return random_triangles(random, width, height, options.seed);
+      });
+    }
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", random.name);
+  }
+  throw InputError(name, fmt::format("expected {}NAME, one of {}", kRandom, known));
 }
 
 Scene open_hard(const spec::Contract& contract, const std::string& name, const Options& options) {
@@ -207,10 +222,12 @@ Scene open_scene(const spec::Contract& contract, const std::string& name, const 
     return open_ptrb(contract, name, options);
   }
   if (name.compare(0, kHard.size(), kHard) == 0) return open_hard(contract, name, options);
+  if (name.compare(0, kRandom.size(), kRandom) == 0) return open_random(contract, name, options);
   throw InputError(
       name,
       "expected a scene: a file .tri, .ptrb, .obj, .ply, .gltf or .glb, - for a .ptrb "
-      "on standard input, or teapot, triangle, grid, layers, hard/NAME (see pineda scenes)");
+      "on standard input, or teapot, triangle, grid, layers, random/NAME, hard/NAME (see "
+      "pineda scenes)");
 }
 
 std::vector<BuiltIn> built_in_scenes() {
@@ -218,6 +235,9 @@ std::vector<BuiltIn> built_in_scenes() {
                               {"triangle", "one triangle, red, green and blue", ""},
                               {"grid", "jittered triangles that reach over the frame", ""},
                               {"layers", "eight such grids behind each other, out of order", ""}};
+  for (const RandomScene& random : kRandomScenes) {
+    scenes.push_back({std::string(kRandom) + random.name, random.summary, ""});
+  }
   for (const HardCase& hard_case : hard_cases()) {
     scenes.push_back(
         {std::string(kHard) + hard_case.name, hard_case.summary, hard_case.right_answer});

@@ -40,6 +40,7 @@ struct Options {
   std::optional<Camera> camera;  // meshes only; default: framing_view()
 
   std::optional<int> tessellate;  // `teapot` only: quads along a patch's side, default 10
+  uint64_t seed = 0;              // of random scenes
   bool multi_pass = false;        // rewind() must work: a pipe is copied to a temporary file
   std::istream* input = nullptr;  // what "-" reads, if not standard input
 };
@@ -52,7 +53,8 @@ struct Scene {
 };
 
 /// In       a path that ends in .tri, .ptrb, .obj, .ply, .gltf or .glb; "-" for a .ptrb on standard
-///          input; or teapot, triangle, grid, layers or hard/NAME, as built_in_scenes() lists them.
+///          input; or teapot, triangle, grid, layers, random/NAME or hard/NAME, as
+///          built_in_scenes() lists them.
 /// Errors   InputError, one line, for everything that is wrong with the name, the options or the
 ///          file. A .tri line or a .ptrb vertex may be found wrong only by next().
 Scene open_scene(const spec::Contract& contract, const std::string& name, const Options& options);

@@ -24,14 +24,7 @@ constexpr Integer round_half_up(Integer value, int shift) {
 }
 
 /// Number of bits that an unsigned value needs; 0 for 0.
-constexpr int bit_length(uint64_t value) {
-  int n = 0;
-  while (value != 0) {
-    ++n;
-    value >>= 1;
-  }
-  return n;
-}
+constexpr int bit_length(uint64_t value) { return value == 0 ? 0 : 64 - __builtin_clzll(value); }
 
 /// Least n with 2^n >= value, value >= 1.
 constexpr int ceil_log2(uint64_t value) { return bit_length(value - 1); }

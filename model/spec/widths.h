@@ -108,7 +108,9 @@ constexpr void stepped_setup_cycles(const Design& d, Widths* w) {
   // The last plane reads the triangle's differences 5 cycles after its start, and the next triangle
   // writes them in its step 5; the steps themselves take 10 cycles.
   const int planes_done = planes > 0 ? w->setup_planes_step + planes - 1 : 0;
-  w->setup_interval_cycles = planes_done > 10 ? planes_done : 10;
+  // A lone plane behind a slow reciprocal starts after all that; its step must be one of them.
+  const int steps = planes == 1 ? w->setup_planes_step + 1 : planes_done;
+  w->setup_interval_cycles = steps > 10 ? steps : 10;
   w->setup_drop_cycles = 5;  // known in step 4
   // The last plane: six stages and the output register after its start. Edges: written in step 9.
   w->setup_latency_cycles = planes > 0 ? planes_done + 7 : 10;

@@ -1,14 +1,16 @@
 // What the units share while they draw one frame.
 #pragma once
 
-#include "model/core/frame.h"
+#include "model/core/tile_shader.h"
+#include "model/timing/cycles.h"
 #include "model/timing/hierarchical_z.h"
-#include "model/timing/local_time.h"
+#include "model/timing/last_write.h"
 
 namespace pineda::timing {
 
-/// Sees each token at the output of its unit, with the cycle of the handshake. Tokens of one kind
-/// come in order; between kinds there is no order but that of their cycles. Must not throw.
+/// Sees each token at the output of its unit, with the cycle of the handshake, and what the units'
+/// cycles are spent on. Tokens and spans of one kind come in order; between kinds there is no order
+/// but that of their cycles. Must not throw.
 class Listener {
  public:
   virtual ~Listener() = default;
@@ -16,17 +18,28 @@ class Listener {
   virtual void stamp(Cycle, const spec::Stamp&) {}
   virtual void depth(Cycle, const spec::DepthWrite&) {}
   virtual void color(Cycle, const spec::ColorWrite&) {}
+  /// The unit spent the cycles [from, until) so, on triangle `id`; spans of a unit come in order.
+  /// Cycles in which nothing is there to work on are not reported.
+  virtual void spent(Unit, Cause, Cycle /*from*/, Cycle /*until*/, uint32_t /*id*/) {}
+  /// A slot of the FIFO was taken in the cycle `inserted` and freed in `freed`; of one FIFO in
+  /// order.
+  virtual void slot(Fifo, Cycle /*inserted*/, Cycle /*freed*/) {}
 };
 
 /// The frame being drawn.
 struct Frame {
   spec::FrameState state;
-  Listener* listener = nullptr;  // never null while units run
+  Listener* listener = nullptr;
+  // Stamps are made with all that they carry: somebody looks at them, or the memories want them one
+  // by one. Else values are computed by whole tiles.
+  bool tokens = false;
+  bool has_values = true;  // stamps are drawn as they come; else only their time is known
   core::FrameCounters counters;
-  HierarchicalZ* hierarchical_z = nullptr;  // if the design has it
-  // Tiles and stamps that are not drawn yet. Only when none is left does a tile test know every
-  // depth that was written before its cycle.
-  int64_t under_way = 0;
+  core::StampCounts stamps;  // sent
+  std::array<Cycle, kMemoryPorts> port_stalls{};
+  core::Planes planes = core::Planes::kAll;  // what setup makes
+  LastWrite* last_write = nullptr;           // depths wait until somebody needs them
+  HierarchicalZ* hierarchical_z = nullptr;   // if the design has it
 };
 
 }  // namespace pineda::timing

@@ -47,6 +47,7 @@ void HierarchicalZ::apply(const spec::DepthMax& depth) {
 
 bool HierarchicalZ::hides(Cycle cycle, int tile_x, int tile_y, uint32_t floor) {
   if (!active_) return false;
+  catch_up_(cycle);
   for (; !pending_.empty() && pending_.front().visible <= cycle; pending_.pop_front()) {
     apply(pending_.front().depth);
   }

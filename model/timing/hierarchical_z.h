@@ -2,10 +2,11 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <vector>
 
 #include "model/spec/structs.h"
-#include "model/timing/local_time.h"
+#include "model/timing/cycles.h"
 
 namespace pineda::timing {
 
@@ -21,7 +22,11 @@ namespace pineda::timing {
 /// Twin     rtl/hierarchical_z.sv.
 class HierarchicalZ {
  public:
-  explicit HierarchicalZ(const spec::Contract& contract) : contract_(contract) {}
+  /// `catch_up(cycle)` is called before a test in that cycle: by then every write accepted before
+  /// it must have come to update().
+  explicit HierarchicalZ(
+      const spec::Contract& contract, std::function<void(Cycle)> catch_up = [](Cycle) {})
+      : contract_(contract), catch_up_(std::move(catch_up)) {}
 
   void begin_frame(const spec::FrameState& frame);
   /// The frame's depth function lets tiles be hidden.
@@ -41,6 +46,7 @@ class HierarchicalZ {
   void apply(const spec::DepthMax& depth);
 
   spec::Contract contract_;
+  std::function<void(Cycle)> catch_up_;
   bool active_ = false;
   int columns_ = 0;                 // tiles in a row of the frame
   std::vector<uint16_t> greatest_;  // by stamp of the tile, by tile; outside the frame 0

@@ -1,119 +1,337 @@
 #include "model/timing/interp_ztest_unit.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace pineda::timing {
 
+namespace {
+
+constexpr Cycle kForever = std::numeric_limits<Cycle>::max();
+
+}  // namespace
+
 InterpZtestUnit::InterpZtestUnit(sc_core::sc_module_name name, const spec::Contract& contract)
     : sc_module(name), contract_(contract) {
-  SC_HAS_PROCESS(InterpZtestUnit);
-  SC_THREAD(run);
+  stamp_i.bind(*this);
 }
 
 void InterpZtestUnit::end_of_elaboration() {
-  require_bound(stamp_i, "pineda/interp_ztest/unbound");
   if (contract_.design.depth_test) require_bound(depth_io, "pineda/interp_ztest/unbound");
   require_bound(color_wr_o, "pineda/interp_ztest/unbound");
 }
 
 void InterpZtestUnit::begin_frame(Frame* frame) {
   frame_ = frame;
-  time_ = {};
+  time_ = LocalTime(Unit::kInterpZtest, frame->listener);
   const spec::Design& d = contract_.design;
-  columns_ = ((frame->state.width - 1) >> d.stamp_width_log2) + 1;
-  const int rows = ((frame->state.height - 1) >> d.stamp_height_log2) + 1;
-  address_free_.assign(static_cast<size_t>(columns_) * static_cast<size_t>(rows), 0);
-  slot_free_.assign(static_cast<size_t>(contract_.width.inflight_stamps), 0);
-  slot_ = 0;
+  tests_ = core::tests_depth(contract_, frame->state);
+  tile_columns_ = ((frame->state.width - 1) >> d.tile_log2) + 1;
+  const int tile_rows = ((frame->state.height - 1) >> d.tile_log2) + 1;
+  const auto tiles = static_cast<size_t>(tile_columns_) * static_cast<size_t>(tile_rows);
+  columns_log2_ = d.tile_log2 - d.stamp_width_log2;
+  tile_stamps_log2_ = 2 * d.tile_log2 - d.stamp_width_log2 - d.stamp_height_log2;
+  address_free_.assign(tiles << tile_stamps_log2_, 0);
   write_free_ = retired_ = exit_ = -1;
+
+  shader_.reset();
+  if (!frame->tokens) {
+    const bool all = frame->planes == core::Planes::kAll;
+    shader_.emplace(contract_, frame->state,
+                    all ? core::TileShader::Values::kAll : core::TileShader::Values::kDepth);
+    tile_free_.assign(tiles, 0);
+    pass_cycles_ = !d.depth_test ? 1 : !tests_ ? 3 : std::max<Cycle>(2, direct_latency_ + 1) + 1;
+    return;
+  }
+  stored_.clear();
+  colored_.clear();
+  register_ = {};
+  pending_.assign(address_free_.size(), 0);
+  accepted_count_ = retired_count_ = entered_count_ = exit_count_ = 0;
+  slot_free_.assign(static_cast<size_t>(contract_.width.inflight_stamps), 0);
   exits_.assign(static_cast<size_t>(contract_.width.attribute_cycles) + 1, -1);
-  next_exit_ = 0;
 }
 
-void InterpZtestUnit::run() {
-  for (;;) {
-    Cycle visible;
-    const spec::Stamp& stamp = stamp_i->front(&visible);
-    contract_.design.depth_test ? draw(stamp, visible) : color(stamp, visible);
-    --frame_->under_way;
+Cycle InterpZtestUnit::take(const StampToken& stamp, Cycle visible) {
+  return frame_->tokens ? take_token(stamp, visible) : take_direct(stamp, visible);
+}
+
+// ---- Memories that are always ready
+
+size_t InterpZtestUnit::tile_of(const core::TileCover& cover) const {
+  return static_cast<size_t>(cover.y) * static_cast<size_t>(tile_columns_) +
+         static_cast<size_t>(cover.x);
+}
+
+size_t InterpZtestUnit::address_of(const core::TileCover& cover, int place) const {
+  return (tile_of(cover) << tile_stamps_log2_) + static_cast<size_t>(place);
+}
+
+Cycle InterpZtestUnit::take_direct(const StampToken& stamp, Cycle visible) {
+  const core::TileCover& cover = *stamp.tile->cover;
+  if (stamp.test == cover.covered.first) draw(*stamp.tile);
+  Cycle& free = address_free_[address_of(cover, stamp.place)];
+  time_.starve(visible);
+  if (tests_) time_.spend(Cause::kHazard, free, stamp.id());
+  const Cycle accepted = time_.now();
+  time_.work(1, stamp.id());
+  write_free_ = accepted + pass_cycles_;
+  free = tile_free_[tile_of(cover)] = write_free_ + 1;
+  if (frame_->last_write != nullptr) {
+    if (stamp.test == cover.covered.first) frame_->last_write->run(cover.x, cover.y);
+    frame_->last_write->retires(write_free_);
+  } else if (!frame_->has_values || has_passed(stamp.test)) {
+    pass(cover, stamp.place, write_free_);
+  }
+  return accepted;
+}
+
+bool InterpZtestUnit::has_passed(int test) const {
+  return (shader_->passed().stamps[static_cast<size_t>(test) / 64] >> (test % 64) & 1) != 0;
+}
+
+bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
+  if (frame_->tokens) return false;
+  const core::TileCover& cover = *tile.cover;
+  const core::TileSamples& covered = cover.covered;
+  const Cycle first = first_visible + covered.first;
+  const size_t number = tile_of(cover);
+  if (time_.now() > first || (tests_ && tile_free_[number] > first)) return false;
+  draw(tile);
+  time_.starve(first);
+  time_.work_at_times(covered.count, first_visible + covered.last + 1);
+  const Cycle retire = first_visible + pass_cycles_;  // of the first test
+  write_free_ = retire + covered.last;
+  tile_free_[number] = write_free_ + 1;
+  Cycle* const free = &address_free_[number << tile_stamps_log2_];
+  if (cover.full) {
+    for (int test = 0; test < covered.count; ++test) free[test] = retire + test + 1;
+  } else {
+    covered.for_each_stamp(
+        [&](int test) { free[cover.place(test, columns_log2_)] = retire + test + 1; });
+  }
+  if (frame_->last_write != nullptr) {
+    frame_->last_write->run(cover.x, cover.y, retire);
+  } else {
+    pass_run(cover, retire);
+  }
+  return true;
+}
+
+void InterpZtestUnit::draw(const TileToken& tile) {
+  if (!frame_->has_values) return;
+  shader_->begin(*tile.prim);
+  shader_->draw(*tile.cover, direct_);
+}
+
+// The writes of a tile's stamps that passed; those of test 0 come, or would, in `retire`.
+void InterpZtestUnit::pass_run(const core::TileCover& cover, Cycle retire) {
+  const core::TileSamples& passed = frame_->has_values ? shader_->passed() : cover.covered;
+  if (passed.count == 0) return;
+  if (frame_->hierarchical_z == nullptr) {
+    pass(cover, 0, retire + passed.last);
+  } else {
+    passed.for_each_stamp(
+        [&](int test) { pass(cover, cover.place(test, columns_log2_), retire + test); });
   }
 }
 
-void InterpZtestUnit::draw(const spec::Stamp& stamp, Cycle visible) {
-  const bool test = core::tests_depth(contract_, frame_->state);
-  Cycle& address_free = address_free_[static_cast<size_t>(stamp.y) * static_cast<size_t>(columns_) +
-                                      static_cast<size_t>(stamp.x)];
-  Cycle& slot_free = slot_free_[slot_];
-  slot_ = slot_ + 1 == slot_free_.size() ? 0 : slot_ + 1;
-
-  time_.starve(visible);
-  if (test) time_.wait_for_address(address_free);
-  time_.block(slot_free);
-  DepthMemory::Read read{time_.now(), 0, {}};
-  if (test) read = depth_io->read({stamp.id, stamp.x, stamp.y, asked(stamp)}, time_.now());
-  time_.block(read.accepted);
-  time_.work(1);
-
-  core::interpolate_depth(contract_, stamp, &fragment_);
-  const uint32_t passed =
-      core::depth_test(contract_, frame_->state.depth, stamp.mask, fragment_.z, read.data.z);
-  const Cycle data = test ? std::max(read.accepted + 2, read.response + 1) : read.accepted + 2;
-  const Cycle offered = std::max(data, write_free_) + 1;
-  const Cycle retire = write(stamp, passed, read.data, offered);
-  write_free_ = std::max(retire, enter(stamp, passed, offered));
-  address_free = slot_free = retire + 1;
-  stamp_i->pop(read.accepted);
+// The writes of a stamp that retires in `retire`.
+void InterpZtestUnit::pass(const core::TileCover& cover, int place, Cycle retire) {
+  exit_ = retire + contract_.width.attribute_cycles;
+  if (!tests_ || !frame_->state.depth_write) return;
+  retired_ = retire;
+  if (frame_->hierarchical_z == nullptr) return;
+  const spec::Design& d = contract_.design;
+  const int x = (cover.x << columns_log2_) + (place & ((1 << columns_log2_) - 1));
+  const int y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2_);
+  frame_->hierarchical_z->update(retired_, {x, y, greatest_depth(x, y)});
 }
 
-void InterpZtestUnit::color(const spec::Stamp& stamp, Cycle visible) {
+uint32_t InterpZtestUnit::greatest_depth(int x, int y) const {
+  const auto z = direct_->read(contract_, x, y, inside(x, y)).z;
+  return *std::max_element(z.begin(), z.end()) >>
+         (contract_.design.depth_bits - contract_.design.hierarchical_z_bits);
+}
+
+// ---- Other memories
+
+Cycle InterpZtestUnit::take_token(const StampToken& token, Cycle visible) {
+  const spec::Stamp& stamp = *token.tile->stamp;
+  const size_t address = address_of(*token.tile->cover, token.place);
+  spec::DepthData data;
   time_.starve(visible);
-  time_.block(write_free_);
-  const Cycle accepted = time_.now();
-  time_.work(1);
-  write_free_ = enter(stamp, stamp.mask, accepted + 1);
-  stamp_i->pop(accepted);
+  Cycle response = 0;
+  const Cycle accepted = accept(token, address, &data, &response);
+  time_.work(1, token.id());
+
+  stored_.push_back(test(stamp, data));
+  Stored& stored = stored_.back();
+  stored.address = address;
+  stored.data = !contract_.design.depth_test ? accepted
+                : tests_                     ? std::max(accepted + 2, response + 1)
+                                             : accepted + 2;
+  pending_[address] = ++accepted_count_;
+  return accepted;
+}
+
+Cycle InterpZtestUnit::accept(const StampToken& token, size_t address, spec::DepthData* data,
+                              Cycle* response) {
+  if (!contract_.design.depth_test) {
+    while (!stored_.empty()) step(kForever);
+    time_.spend(Cause::kBlocked, write_free_, token.id());
+    return time_.now();
+  }
+  if (tests_) {
+    while (retired_count_ < pending_[address]) step(kForever);
+    time_.spend(Cause::kHazard, address_free_[address], token.id());
+  }
+  while (accepted_count_ - retired_count_ == slot_free_.size()) step(kForever);
+  time_.spend(Cause::kBlocked, slot_free_[accepted_count_ % slot_free_.size()], token.id());
+  if (!tests_) return time_.now();
+  const Cycle accepted = read(*token.tile->stamp, data, response);
+  count_stall(MemoryPort::kDepthRead, accepted - time_.now());
+  time_.spend(Cause::kMemory, accepted, token.id());
+  return accepted;
+}
+
+Cycle InterpZtestUnit::read(const spec::Stamp& stamp, spec::DepthData* data, Cycle* response) {
+  const spec::DepthRead request{stamp.id, stamp.x, stamp.y, asked(stamp)};
+  for (Cycle offered = time_.now();;) {
+    advance(offered);
+    const Reply reply = depth_io->read(request, offered, data);
+    if (reply.taken) {
+      *response = reply.response;
+      return reply.cycle;
+    }
+    offered = reply.cycle;
+  }
+}
+
+InterpZtestUnit::Stored InterpZtestUnit::test(const spec::Stamp& stamp,
+                                              const spec::DepthData& data) {
+  Stored stored{};
+  core::interpolate_depth(contract_, stamp, &fragment_);
+  stored.passed = core::depth_test(contract_, frame_->state.depth, stamp.mask, fragment_.z, data.z);
+  if (stored.passed == 0) return stored;
+  ++frame_->counters.interpolated;
+  frame_->counters.passed += static_cast<uint64_t>(core::count_lanes(stored.passed));
+  core::interpolate_attributes(contract_, stamp, stored.passed, &fragment_);
+  stored.color = core::color_write(contract_, stamp, fragment_, stored.passed);
+  stored.writes = tests_ && frame_->state.depth_write;
+  if (!stored.writes) return stored;
+  stored.depth = core::depth_write(contract_, stamp, fragment_, stored.passed);
+  if (frame_->hierarchical_z != nullptr) {
+    stored.greatest = core::depth_ceiling(contract_, fragment_, stored.passed, data.z);
+  }
+  return stored;
 }
 
 uint32_t InterpZtestUnit::asked(const spec::Stamp& stamp) const {
+  return contract_.design.hierarchical_z ? inside(stamp.x, stamp.y) : stamp.mask;
+}
+
+uint32_t InterpZtestUnit::inside(int stamp_x, int stamp_y) const {
   const spec::Design& d = contract_.design;
-  if (!d.hierarchical_z) return stamp.mask;
   uint32_t mask = 0;
   for (int lane = 0; lane < contract_.width.lanes; ++lane) {
-    const int x = (stamp.x << d.stamp_width_log2) + (lane & ((1 << d.stamp_width_log2) - 1));
-    const int y = (stamp.y << d.stamp_height_log2) + (lane >> d.stamp_width_log2);
-    const bool inside = x < frame_->state.width && y < frame_->state.height;
-    mask |= static_cast<uint32_t>(inside) << lane;
+    const int x = (stamp_x << d.stamp_width_log2) + (lane & ((1 << d.stamp_width_log2) - 1));
+    const int y = (stamp_y << d.stamp_height_log2) + (lane >> d.stamp_width_log2);
+    const bool in_frame = x < frame_->state.width && y < frame_->state.height;
+    mask |= static_cast<uint32_t>(in_frame) << lane;
   }
   return mask;
 }
 
-Cycle InterpZtestUnit::write(const spec::Stamp& stamp, uint32_t passed,
-                             const spec::DepthData& stored, Cycle offered) {
-  const bool writes = core::tests_depth(contract_, frame_->state) && frame_->state.depth_write;
-  if (passed == 0 || !writes) return offered;
-  const auto depth = core::depth_write(contract_, stamp, fragment_, passed);
-  retired_ = depth_io->write(depth, offered);
-  frame_->listener->depth(retired_, depth);
-  if (frame_->hierarchical_z != nullptr) {
-    const uint32_t greatest = core::depth_ceiling(contract_, fragment_, passed, stored.z);
-    frame_->hierarchical_z->update(retired_, {stamp.x, stamp.y, greatest});
+void InterpZtestUnit::advance(Cycle until) {
+  if (!frame_->tokens) return;
+  while (step(until)) {
   }
-  return retired_;
 }
 
-Cycle InterpZtestUnit::enter(const spec::Stamp& stamp, uint32_t passed, Cycle offered) {
-  if (passed == 0) return offered;
-  ++frame_->counters.interpolated;
-  frame_->counters.passed += static_cast<uint64_t>(__builtin_popcount(passed));
-  core::interpolate_attributes(contract_, stamp, passed, &fragment_);
-  const auto color = core::color_write(contract_, stamp, fragment_, passed);
-  const int latency = contract_.width.attribute_cycles;
-  Cycle& freed = exits_[next_exit_];
-  next_exit_ = next_exit_ + 1 == exits_.size() ? 0 : next_exit_ + 1;
-  const Cycle entered = std::max(offered, freed + 1);
-  exit_ = freed = color_wr_o->write(color, std::max(entered + latency, exit_ + 1));
-  frame_->listener->color(exit_, color);
-  return latency == 0 ? exit_ : entered;
+void InterpZtestUnit::drain() {
+  advance(kForever);
+  if (!frame_->tokens) {
+    const core::StampCounts& passed = frame_->has_values ? shader_->counts() : frame_->stamps;
+    frame_->counters.interpolated = passed.stamps;
+    frame_->counters.passed = passed.samples;
+  }
+  if (frame_->last_write == nullptr) return;
+  const Cycle retired = frame_->last_write->find();
+  if (retired >= 0) exit_ = retired + contract_.width.attribute_cycles;
+}
+
+// Offers the earliest write, if that is before `until`.
+bool InterpZtestUnit::step(Cycle until) {
+  while (turn()) {
+  }
+  const Cycle write = register_.loaded && !register_.written ? register_.write_offered : kForever;
+  const Cycle color = colored_.empty() ? kForever : colored_.front().offered;
+  if (std::min(write, color) >= until) return false;
+  if (write <= color) {
+    const Reply reply = depth_io->write(stored_.front().depth, write);
+    count_stall(MemoryPort::kDepthWrite, reply.cycle - write);
+    reply.taken ? retire(reply.cycle) : void(register_.write_offered = reply.cycle);
+  } else {
+    const Reply reply = color_wr_o->write(colored_.front().color, color);
+    count_stall(MemoryPort::kColorWrite, reply.cycle - color);
+    reply.taken ? exit(reply.cycle) : void(colored_.front().offered = reply.cycle);
+  }
+  return true;
+}
+
+// Moves the write register on as far as no port is needed; false if it cannot move.
+bool InterpZtestUnit::turn() {
+  if (stored_.empty()) return false;
+  Stored& stored = stored_.front();
+  Register& r = register_;
+  if (!r.loaded) {
+    r = {};
+    r.loaded = true;
+    r.offered = r.write_offered = r.enter = std::max(stored.data, write_free_) + 1;
+    r.entered = stored.passed == 0;
+    if (!stored.writes) retire(r.offered);
+    return true;
+  }
+  const Cycle latency = contract_.width.attribute_cycles;
+  if (!r.entered && entered_count_ - exit_count_ < exits_.size()) {
+    r.enter = std::max(r.offered, exits_[entered_count_++ % exits_.size()] + 1);
+    colored_.push_back({std::max(r.enter + latency, exit_ + 1), stored.color});
+    r.entered = true;
+    return true;
+  }
+  // Without a pipe the colours are still in the register.
+  const bool left = r.entered && (latency > 0 || colored_.empty());
+  if (!r.written || !left) return false;
+  write_free_ = std::max(r.retire, latency > 0 || stored.passed == 0 ? r.enter : exit_);
+  r.loaded = false;
+  stored_.pop_front();
+  return true;
+}
+
+void InterpZtestUnit::retire(Cycle cycle) {
+  const Stored& stored = stored_.front();
+  register_.written = true;
+  register_.retire = cycle;
+  address_free_[stored.address] = cycle + 1;
+  slot_free_[retired_count_++ % slot_free_.size()] = cycle + 1;
+  if (!stored.writes) return;
+  retired_ = cycle;
+  if (frame_->listener != nullptr) frame_->listener->depth(cycle, stored.depth);
+  if (frame_->hierarchical_z != nullptr) {
+    frame_->hierarchical_z->update(cycle, {stored.depth.x, stored.depth.y, stored.greatest});
+  }
+}
+
+void InterpZtestUnit::exit(Cycle cycle) {
+  exit_ = exits_[exit_count_++ % exits_.size()] = cycle;
+  if (frame_->listener != nullptr) frame_->listener->color(cycle, colored_.front().color);
+  colored_.pop_front();
+  if (!colored_.empty()) colored_.front().offered = std::max(colored_.front().offered, cycle + 1);
+}
+
+void InterpZtestUnit::count_stall(MemoryPort port, Cycle cycles) {
+  frame_->port_stalls[static_cast<size_t>(port)] += cycles;
 }
 
 UnitCycles InterpZtestUnit::cycles(Cycle drained) const {

@@ -2,18 +2,20 @@
 #pragma once
 
 #include <algorithm>
+#include <deque>
+#include <optional>
 #include <vector>
 
-#include "model/timing/frame.h"
+#include "model/timing/local_time.h"
 #include "model/timing/memory.h"
-#include "model/timing/stream.h"
+#include "model/timing/tokens.h"
 
 namespace pineda::timing {
 
 /// Interpolation and depth test: one stamp in, its depth and colour writes out, in order.
 ///
 /// Bits     core::interpolate_depth(), core::depth_test() and core::interpolate_attributes() define
-///          every output bit; this class adds only time.
+///          every output bit, core::TileShader finds the same faster; this class adds only time.
 /// In       stamp_i.
 /// Out      depth_io (reads too), color_wr_o: the covered samples that pass; nothing if none does.
 ///          With the test off, or depth not to be written, colour only. A design without depth has
@@ -45,15 +47,38 @@ namespace pineda::timing {
 ///               max(enter[n] + L, exit[q] + 1) on
 /// Without interpolated attributes the colour write leaves the write register: enter[n] = exit[n] =
 /// the first cycle in which the colour port is ready, from load[n] + 1 on.
-class InterpZtestUnit final : public sc_core::sc_module {
+///
+/// Memories that are always ready and answer in R cycles. By induction nothing behind the read
+/// waits: if retire[p] = enter[p] = accept[p] + C with C = max(2, R + 1) + 1, then both are at most
+/// accept[n] + C - 1 = load[n]; and T >= C + 1, so a slot is free whenever a stamp comes. Hence
+///   accept[n] = max(visible[n], accept[p] + 1, retire[m] + 1),
+///   retire[n] = enter[n] = accept[n] + C,  exit[n] = enter[n] + L,
+/// with C = 3 if depths are not read, 1 in a design without depth. That is all there is to time,
+/// and the stamps of a tile that was not touched of late can be taken at once.
+///
+/// Other memories are served in order of time: before a read is offered in t, every write of the
+/// stamps before it that is offered before t has been.
+class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
  public:
-  Port<StreamIn<spec::Stamp>> stamp_i{"stamp_i"};
+  sc_core::sc_export<StampIn> stamp_i{"stamp_i"};
   Port<DepthMemory> depth_io{"depth_io"};
   Port<ColorMemory> color_wr_o{"color_wr_o"};
 
   InterpZtestUnit(sc_core::sc_module_name name, const spec::Contract& contract);
 
+  /// Memories that are always ready and answer after `latency`, with these contents; null: those
+  /// behind the ports. From the next frame on.
+  void set_direct(core::FrameBuffer* buffer, Cycle latency) {
+    direct_ = buffer;
+    direct_latency_ = latency;
+  }
   void begin_frame(Frame* frame);
+  Cycle take(const StampToken& stamp, Cycle visible) override;
+  bool take_run(const TileToken& tile, Cycle first_visible) override;
+  /// Serves the memories until all writes offered before `until` are done.
+  void advance(Cycle until);
+  void drain();
+
   /// The first cycle in which the unit is idle, once all stamps are through.
   Cycle idle_from() const { return std::max({time_.now(), write_free_ + 1, exit_ + 1}); }
   /// The cycle of the last write accepted, -1 if there was none.
@@ -62,30 +87,86 @@ class InterpZtestUnit final : public sc_core::sc_module {
   UnitCycles cycles(Cycle drained) const;
 
  private:
+  // A stamp that has been read and not left the write register.
+  struct Stored {
+    size_t address;
+    Cycle data;   // not loaded before
+    bool writes;  // its depths
+    uint32_t passed;
+    uint32_t greatest;  // hierarchical z
+    spec::DepthWrite depth;
+    spec::ColorWrite color;
+  };
+  // Its colours, in the pipe or behind it, and when they are offered.
+  struct Colored {
+    Cycle offered;
+    spec::ColorWrite color;
+  };
+  // The stamp in the write register, the first one of stored_.
+  struct Register {
+    bool loaded = false;
+    bool written = false;
+    bool entered = false;
+    Cycle offered = 0;        // its writes, from then on
+    Cycle write_offered = 0;  // the depth write, after the port was not ready
+    Cycle retire = 0;
+    Cycle enter = 0;
+  };
+
   void end_of_elaboration() override;
-  void run();
-  void draw(const spec::Stamp& stamp, Cycle visible);
-  void color(const spec::Stamp& stamp, Cycle visible);
-  // The cycle in which the stamp, loaded so that its writes are offered from `offered` on, retires.
-  Cycle write(const spec::Stamp& stamp, uint32_t passed, const spec::DepthData& stored,
-              Cycle offered);
+
+  // Memories that are always ready
+  size_t tile_of(const core::TileCover& cover) const;
+  size_t address_of(const core::TileCover& cover, int place) const;
+  void draw(const TileToken& tile);
+  Cycle take_direct(const StampToken& stamp, Cycle visible);
+  bool has_passed(int test) const;
+  void pass_run(const core::TileCover& cover, Cycle retire);
+  void pass(const core::TileCover& cover, int place, Cycle retire);
+  uint32_t greatest_depth(int x, int y) const;  // stored in a stamp, the top bits
+
+  // Other memories
+  Cycle take_token(const StampToken& token, Cycle visible);
+  Cycle accept(const StampToken& token, size_t address, spec::DepthData* data, Cycle* response);
+  Cycle read(const spec::Stamp& stamp, spec::DepthData* data, Cycle* response);
+  Stored test(const spec::Stamp& stamp, const spec::DepthData& stored);
   // The lanes whose depths are read: those covered, for hierarchical z all in the frame.
   uint32_t asked(const spec::Stamp& stamp) const;
-  // The cycle in which its colours leave the write register.
-  Cycle enter(const spec::Stamp& stamp, uint32_t passed, Cycle offered);
+  uint32_t inside(int stamp_x, int stamp_y) const;
+  bool step(Cycle until);
+  bool turn();
+  void count_stall(MemoryPort port, Cycle cycles);
+  void retire(Cycle cycle);
+  void exit(Cycle cycle);
 
   spec::Contract contract_;
   Frame* frame_ = nullptr;
   LocalTime time_;
-  int columns_ = 0;                  // stamps in a row of the frame
-  std::vector<Cycle> address_free_;  // by stamp of the frame: not in flight from this cycle on
-  std::vector<Cycle> slot_free_;     // by slot of the in-flight table
-  size_t slot_ = 0;                  // the slot of the next stamp
+  bool tests_ = false;               // depths are read and compared
+  int tile_columns_ = 0;             // tiles in a row of the frame
+  int columns_log2_ = 0;             // stamps in a row of a tile
+  int tile_stamps_log2_ = 0;         // stamps of a tile
+  std::vector<Cycle> address_free_;  // by tile and its stamps: not in flight from this cycle on
   Cycle write_free_ = -1;            // the write register can be loaded from this cycle on
   Cycle retired_ = -1;               // the last depth write accepted
-  std::vector<Cycle> exits_;         // of the last L + 1 colour writes
-  size_t next_exit_ = 0;
-  Cycle exit_ = -1;  // the last of them
+  Cycle exit_ = -1;                  // the last colour write accepted
+
+  core::FrameBuffer* direct_ = nullptr;
+  Cycle direct_latency_ = 0;
+  std::optional<core::TileShader> shader_;
+  Cycle pass_cycles_ = 0;         // C
+  std::vector<Cycle> tile_free_;  // by tile: none of its stamps is in flight from this cycle on
+
+  std::deque<Stored> stored_;
+  Register register_;
+  std::deque<Colored> colored_;
+  std::vector<uint64_t> pending_;  // by address: the number of the last stamp there, from 1
+  uint64_t accepted_count_ = 0;
+  uint64_t retired_count_ = 0;
+  uint64_t entered_count_ = 0;
+  uint64_t exit_count_ = 0;
+  std::vector<Cycle> slot_free_;  // by slot of the in-flight table
+  std::vector<Cycle> exits_;      // of the last L + 1 colour writes
   spec::Fragment fragment_;
 };
 

@@ -1,48 +1,44 @@
 // Local time of a unit: an integer count of cycles, and what each cycle was spent on.
 #pragma once
 
-#include <cstdint>
+#include "model/timing/frame.h"
 
 namespace pineda::timing {
-
-/// A cycle of the frame. Cycle 0 is the first clock edge after reset: the frame is taken. From
-/// cycle 1 on the memories are asked to clear; once they have, triangles are taken.
-using Cycle = int64_t;
-inline constexpr Cycle kClearOffered = 1;
-
-/// What the cycles of a unit, from cycle 0 until the frame has drained, were spent on.
-struct UnitCycles {
-  Cycle busy = 0;
-  Cycle starved = 0;  // nothing to work on
-  Cycle blocked = 0;  // the next stage, a port or a full table does not take it
-  Cycle hazard = 0;   // the stamp's address is in flight (interpolation only)
-
-  Cycle total() const { return busy + starved + blocked + hazard; }
-};
 
 /// The only way in which a unit's time moves: every cycle passed is put down to a cause, so the
 /// causes add up to the time.
 class LocalTime {
  public:
+  LocalTime() = default;
+  LocalTime(Unit unit, Listener* listener) : unit_(unit), listener_(listener) {}
+
   /// The first cycle that is not spent yet.
   Cycle now() const { return now_; }
   const UnitCycles& cycles() const { return cycles_; }
 
-  /// Spends the cycles before `until`; none if that has passed.
-  void starve(Cycle until) { spend(until, &cycles_.starved); }
-  void block(Cycle until) { spend(until, &cycles_.blocked); }
-  void wait_for_address(Cycle until) { spend(until, &cycles_.hazard); }
-  void work(Cycle cycles) { spend(now_ + cycles, &cycles_.busy); }
-
- private:
-  void spend(Cycle until, Cycle* cause) {
+  /// Spends the cycles before `until` on triangle `id`; none if that has passed.
+  void spend(Cause cause, Cycle until, uint32_t id) {
     if (until <= now_) return;
-    *cause += until - now_;
+    if (listener_ != nullptr && cause != Cause::kStarved) {
+      listener_->spent(unit_, cause, now_, until, id);
+    }
+    cycles_[cause] += until - now_;
+    now_ = until;
+  }
+  void starve(Cycle until) { spend(Cause::kStarved, until, 0); }
+  void work(Cycle cycles, uint32_t id) { spend(Cause::kBusy, now_ + cycles, id); }
+  /// Spends the cycles before `until`, `busy` of them on work, the others on nothing to work on.
+  void work_at_times(Cycle busy, Cycle until) {
+    cycles_[Cause::kBusy] += busy;
+    cycles_[Cause::kStarved] += until - now_ - busy;
     now_ = until;
   }
 
+ private:
   Cycle now_ = 0;
   UnitCycles cycles_;
+  Unit unit_ = Unit::kSetup;
+  Listener* listener_ = nullptr;
 };
 
 }  // namespace pineda::timing

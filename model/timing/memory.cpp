@@ -1,7 +1,5 @@
 #include "model/timing/memory.h"
 
-#include <stdexcept>
-
 namespace pineda::timing {
 
 Cycle first_ready(const Ready& ready, ExternalPort port, Cycle from) {
@@ -14,38 +12,25 @@ Cycle first_ready(const Ready& ready, ExternalPort port, Cycle from) {
   return from;
 }
 
-IdealMemory::IdealMemory(const char* name, const spec::Contract& contract)
-    : sc_object(name), contract_(contract) {
-  set_latency_cycles(contract.design.depth_latency_cycles);
+namespace {
+
+Reply reply(const MemorySocket::Taken& taken) {
+  if (taken.retry_from >= 0) return {false, taken.retry_from, 0};
+  return {true, taken.accepted, taken.response};
 }
 
-void IdealMemory::set_latency_cycles(int cycles) {
-  const int longest = contract_.design.max_depth_latency_cycles;
-  if (cycles < 1 || cycles > longest) {
-    throw std::invalid_argument("depth latency: expected 1 to " + std::to_string(longest) +
-                                " cycles, got " + std::to_string(cycles));
-  }
-  latency_cycles_ = cycles;
+}  // namespace
+
+Reply MemoryPorts::read(const spec::DepthRead& request, Cycle offered, spec::DepthData* data) {
+  return reply(depth.read(request.x, request.y, request.mask, offered, data));
 }
 
-void IdealMemory::begin_frame(const spec::FrameState& frame) {
-  buffer_ = core::FrameBuffer(contract_, frame);
+Reply MemoryPorts::write(const spec::DepthWrite& write, Cycle offered) {
+  return reply(depth.write(write, offered));
 }
 
-DepthMemory::Read IdealMemory::read(const spec::DepthRead& request, Cycle earliest) {
-  const Cycle accepted = first_ready(ready_, ExternalPort::kDepthRead, earliest);
-  return {accepted, accepted + latency_cycles_,
-          buffer_.read(contract_, request.x, request.y, request.mask)};
-}
-
-Cycle IdealMemory::write(const spec::DepthWrite& write, Cycle earliest) {
-  buffer_.write(contract_, write);
-  return first_ready(ready_, ExternalPort::kDepthWrite, earliest);
-}
-
-Cycle IdealMemory::write(const spec::ColorWrite& write, Cycle earliest) {
-  buffer_.write(contract_, write);
-  return first_ready(ready_, ExternalPort::kColorWrite, earliest);
+Reply MemoryPorts::write(const spec::ColorWrite& write, Cycle offered) {
+  return reply(color.write(write, offered));
 }
 
 }  // namespace pineda::timing

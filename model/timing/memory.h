@@ -1,17 +1,19 @@
-// The memory ports: interfaces with time, and an ideal memory of fixed latency behind them.
+// The memory ports: interfaces with time, and TLM-2.0 sockets behind them.
 #pragma once
 
 #include <functional>
-#include <string>
 #include <systemc>
 
 #include "model/core/frame.h"
-#include "model/timing/local_time.h"
+#include "model/memory/stalls.h"
+#include "model/timing/cycles.h"
+#include "model/timing/memory_port.h"
 
 namespace pineda::timing {
 
-/// The ports of the rasterizer that something outside of it can stall.
-enum class ExternalPort { kTriangle, kClear, kDepthRead, kDepthWrite, kColorWrite };
+/// The ports of the rasterizer that something outside of it can stall: kTriangle, kClear and the
+/// memory ports.
+using ExternalPort = memory::Port;
 
 /// Whether the other side of a port moves in a cycle: takes a read, a write or the
 /// clear, offers a triangle. A pure function, so that the same pattern can be applied to the RTL.
@@ -22,54 +24,49 @@ using Ready = std::function<bool(ExternalPort, Cycle)>;
 /// Errors   none in 2^20 cycles: SC_REPORT_FATAL "pineda/port/stuck".
 Cycle first_ready(const Ready& ready, ExternalPort port, Cycle from);
 
-/// Depth memory. Calls come in the order of the stamps, so the cycles of reads and of writes each
-/// grow, but a call may lie before an earlier one of the other kind. At one address calls come in
-/// the order of their cycles, and a write accepted in t is seen by a read accepted from t + 1 on.
+/// A memory's answer to a request that is offered in a cycle.
+struct Reply {
+  bool taken = false;
+  // Taken: the cycle in which it was. Else: the first cycle in which it makes sense to offer it
+  // again; by then the memory may have more to say.
+  Cycle cycle = 0;
+  Cycle response = 0;  // of a read, later than that of the read before
+};
+
+/// Depth memory. Calls come in order of the cycles in which the requests are offered, within a
+/// cycle reads first, also those between depth and colour. A write accepted in t is seen by a read
+/// accepted from t + 1 on.
 class DepthMemory : public virtual sc_core::sc_interface {
  public:
-  struct Read {
-    Cycle accepted;
-    Cycle response;  // later than that of the read before
-    spec::DepthData data;
-  };
-
-  /// A read offered from `earliest` on.
-  virtual Read read(const spec::DepthRead& request, Cycle earliest) = 0;
-
-  /// A write offered from `earliest` on; returns the cycle in which it is accepted.
-  virtual Cycle write(const spec::DepthWrite& write, Cycle earliest) = 0;
+  virtual Reply read(const spec::DepthRead& request, Cycle offered, spec::DepthData* data) = 0;
+  virtual Reply write(const spec::DepthWrite& write, Cycle offered) = 0;
 };
 
 /// Colour memory: as DepthMemory's writes.
 class ColorMemory : public virtual sc_core::sc_interface {
  public:
-  virtual Cycle write(const spec::ColorWrite& write, Cycle earliest) = 0;
+  virtual Reply write(const spec::ColorWrite& write, Cycle offered) = 0;
 };
 
-/// Depth and colour of a frame. A read accepted in t answers in t + latency.
-///
-/// Bits     core::FrameBuffer. Its hits stay 0: covered samples that fail the test never come here.
-/// Errors   a latency outside 1 .. design.max_depth_latency_cycles: std::invalid_argument.
-class IdealMemory final : public sc_core::sc_object, public DepthMemory, public ColorMemory {
+/// Both over TLM-2.0 sockets.
+class MemoryPorts final : public sc_core::sc_module, public DepthMemory, public ColorMemory {
  public:
-  IdealMemory(const char* name, const spec::Contract& contract);
+  MemoryPorts(sc_core::sc_module_name name, const spec::Contract& contract)
+      : sc_module(name),
+        depth("depth_socket", contract, memory::kDepthBytes),
+        color("color_socket", contract, memory::color_bytes(contract.design)) {}
 
-  void set_latency_cycles(int cycles);
-  void set_ready(Ready ready) { ready_ = std::move(ready); }
+  MemorySocket depth;
+  MemorySocket color;
 
-  /// Clears both for a frame of this size.
-  void begin_frame(const spec::FrameState& frame);
-  const core::FrameBuffer& buffer() const { return buffer_; }
+  void begin_frame(const spec::FrameState& frame) {
+    depth.begin_frame(frame);
+    color.begin_frame(frame);
+  }
 
-  Read read(const spec::DepthRead& request, Cycle earliest) override;
-  Cycle write(const spec::DepthWrite& write, Cycle earliest) override;
-  Cycle write(const spec::ColorWrite& write, Cycle earliest) override;
-
- private:
-  spec::Contract contract_;
-  int latency_cycles_;
-  Ready ready_;
-  core::FrameBuffer buffer_;
+  Reply read(const spec::DepthRead& request, Cycle offered, spec::DepthData* data) override;
+  Reply write(const spec::DepthWrite& write, Cycle offered) override;
+  Reply write(const spec::ColorWrite& write, Cycle offered) override;
 };
 
 }  // namespace pineda::timing

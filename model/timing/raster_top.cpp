@@ -1,78 +1,161 @@
 #include "model/timing/raster_top.h"
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "model/memory/kinds.h"
+
 namespace pineda::timing {
 
-RasterTop::RasterTop(sc_core::sc_module_name name, const spec::Contract& contract)
+RasterTop::RasterTop(sc_core::sc_module_name name, const spec::Contract& contract,
+                     Memories memories)
     : sc_module(name),
       contract_(contract),
       triangles_("triangles"),
       setup_("setup", contract),
-      prims_("prims", contract.design.prim_fifo_depth),
+      prims_("prims", Fifo::kPrims, contract.design.prim_fifo_depth),
       traversal_("traversal", contract),
       stamps_("stamps", contract.design.stamp_fifo_depth),
       interp_ztest_("interp_ztest", contract),
-      memory_("memory", contract),
-      hierarchical_z_(contract) {
-  setup_.tri_i(triangles_);
+      ports_("memory_ports", contract),
+      hierarchical_z_(contract, [this](Cycle cycle) { interp_ztest_.advance(cycle); }),
+      last_write_(contract) {
+  triangles_.tri_o(setup_.tri_i);
   setup_.prim_o(prims_);
-  traversal_.prim_i(prims_);
+  prims_.out_o(traversal_.prim_i);
   traversal_.stamp_o(stamps_);
-  interp_ztest_.stamp_i(stamps_);
-  if (contract.design.depth_test) interp_ztest_.depth_io(memory_);
-  interp_ztest_.color_wr_o(memory_);
+  stamps_.out_o(interp_ztest_.stamp_i);
+  if (contract.design.depth_test) interp_ztest_.depth_io(ports_);
+  interp_ztest_.color_wr_o(ports_);
+  if (memories == Memories::kOutside) return;
+  memory_ = std::make_unique<FrameMemory>(
+      "memory", contract,
+      memory::make_timing(memory::Kind::kIdeal, contract, contract.design.depth_latency_cycles));
+  if (contract.design.depth_test) ports_.depth.socket.bind(memory_->depth_socket);
+  ports_.color.socket.bind(memory_->color_socket);
+}
+
+void RasterTop::end_of_elaboration() {
+  const bool depth_missing = contract_.design.depth_test && ports_.depth.socket.size() == 0;
+  if (depth_missing) SC_REPORT_FATAL("pineda/raster_top/unbound", ports_.depth.socket.name());
+  if (ports_.color.socket.size() == 0) {
+    SC_REPORT_FATAL("pineda/raster_top/unbound", ports_.color.socket.name());
+  }
+}
+
+void RasterTop::set_memory_map(const sc_core::sc_time& period, uint64_t depth_base,
+                               uint64_t color_base) {
+  period_ = period;
+  ports_.depth.set_period(period);
+  ports_.color.set_period(period);
+  ports_.depth.set_base(depth_base);
+  ports_.color.set_base(color_base);
+  if (memory_) memory_->set_period(period);
+}
+
+void RasterTop::set_depth_latency_cycles(int cycles) {
+  set_memory(memory::make_timing(memory::Kind::kIdeal, contract_, cycles));
 }
 
 void RasterTop::set_ready(const Ready& ready) {
   ready_ = ready;
   triangles_.set_ready(ready);
-  memory_.set_ready(ready);
+  if (memory_) memory_->set_ready(ready);
 }
 
-FrameResult RasterTop::run(const spec::FrameState& state, Pull pull, Listener* listener) {
+FrameResult RasterTop::run(const spec::FrameState& state, const Pull& pull, Listener* listener) {
   const int largest = 1 << contract_.design.guard_bits;
   if (std::min(state.width, state.height) < 1 || std::max(state.width, state.height) > largest) {
     throw std::invalid_argument("frame: expected 1 to " + std::to_string(largest) + " px, got " +
                                 std::to_string(state.width) + "x" + std::to_string(state.height));
   }
-  Listener deaf;
-  begin_frame(state, std::move(pull), listener != nullptr ? listener : &deaf);
-  sc_core::sc_start();
+  const bool in_process = sc_core::sc_get_status() == sc_core::SC_RUNNING;
+  if (!sc_core::sc_start_of_simulation_invoked()) sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  begin_frame(state, listener);
+  triangles_.draw(pull, run_from_);
+  setup_.drain();
+  interp_ztest_.drain();
   frame_.listener = nullptr;
-  if (const auto failure = triangles_.take_failure()) std::rethrow_exception(failure);
-  return result();
+  const FrameResult frame = result();
+  const auto end = begun_ + sc_core::sc_time::from_value(
+                                static_cast<uint64_t>(frame.spent.drained) * period_.value());
+  if (in_process && end > sc_core::sc_time_stamp()) wait(end - sc_core::sc_time_stamp());
+  return frame;
 }
 
-void RasterTop::begin_frame(const spec::FrameState& state, Pull pull, Listener* listener) {
+void RasterTop::begin_frame(const spec::FrameState& state, Listener* listener) {
   frame_ = {};
   frame_.state = state;
   frame_.listener = listener;
+  begun_ = sc_core::sc_time_stamp();
   hierarchical_z_.begin_frame(state);
   if (contract_.design.hierarchical_z) frame_.hierarchical_z = &hierarchical_z_;
-  memory_.begin_frame(state);
-  prims_.begin_frame();
-  stamps_.begin_frame();
+  is_direct_ = listener == nullptr && memory_ && memory_->is_transparent();
+  frame_.tokens = !is_direct_;
+  if (!bits_ && is_direct_) leave_out_bits();
+  if (is_direct_) {
+    clear_direct();
+  } else {
+    ports_.begin_frame(state);
+    if (memory_) memory_->begin_frame(state);
+  }
+  prims_.begin_frame(listener);
+  stamps_.begin_frame(listener);
   setup_.begin_frame(&frame_);
   traversal_.begin_frame(&frame_);
   interp_ztest_.begin_frame(&frame_);
   run_from_ = first_ready(ready_, ExternalPort::kClear, kClearOffered) + 1;
-  triangles_.begin_frame(std::move(pull), run_from_);
 }
+
+// Nobody can see how its own memory is reached while that is always ready.
+void RasterTop::clear_direct() {
+  const spec::FrameState& state = frame_.state;
+  if (state.width != direct_.width || state.height != direct_.height) {
+    direct_ = core::FrameBuffer(contract_, state);
+  } else if (frame_.has_values) {
+    std::fill(direct_.depth.begin(), direct_.depth.end(), core::cleared_depth(contract_.design));
+    std::fill(direct_.color.begin(), direct_.color.end(), 0);
+  }
+  interp_ztest_.set_direct(&direct_, memory_->fixed_latency());
+}
+
+// Only what time depends on.
+void RasterTop::leave_out_bits() {
+  frame_.planes = core::Planes::kNone;
+  frame_.has_values = false;
+  if (!core::tests_depth(contract_, frame_.state)) return;
+  if (hierarchical_z_.is_active()) {
+    frame_.planes = core::Planes::kDepth;
+    frame_.has_values = true;
+    return;
+  }
+  last_write_.begin_frame(frame_.state, &direct_);
+  frame_.last_write = &last_write_;
+}
+
+core::FrameBuffer RasterTop::buffer() const { return is_direct_ ? direct_ : memory_->buffer(); }
 
 FrameResult RasterTop::result() const {
   FrameResult result;
   result.cycles = std::max(interp_ztest_.last_write() + 1, run_from_);
-  result.drained_cycles =
+  const Cycle drained =
       std::max({run_from_, setup_.idle_from(), traversal_.idle_from(), interp_ztest_.idle_from()});
   result.counters = frame_.counters;
-  result.setup = setup_.cycles(result.drained_cycles);
-  result.tiles = traversal_.tile_cycles(result.drained_cycles);
-  result.stamps = traversal_.stamp_cycles(result.drained_cycles);
-  result.interp_ztest = interp_ztest_.cycles(result.drained_cycles);
+  result.counters.stamps = frame_.stamps.stamps;
+  result.counters.fragments = frame_.stamps.samples;
+  result.spent.stamps_by_samples = frame_.stamps.by_samples;
+  result.spent.port_stalls = frame_.port_stalls;
+  result.spent.levels = {prims_.levels(drained), traversal_.tile_levels(drained),
+                         stamps_.levels(drained)};
+  result.knows_passed = frame_.last_write == nullptr;
+  result.spent.samples_passed = frame_.counters.passed;
+  result.spent.samples_failed = frame_.stamps.samples - frame_.counters.passed;
+  result.spent.drained = drained;
+  result.spent.units = {setup_.cycles(drained), traversal_.tile_cycles(drained),
+                        traversal_.stamp_cycles(drained), interp_ztest_.cycles(drained)};
   return result;
 }
 

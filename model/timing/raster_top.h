@@ -1,6 +1,7 @@
 // The rasterizer in time: setup -> traversal -> interpolation and depth test.
 #pragma once
 
+#include "model/timing/frame_memory.h"
 #include "model/timing/interp_ztest_unit.h"
 #include "model/timing/setup_unit.h"
 #include "model/timing/traversal_unit.h"
@@ -9,46 +10,73 @@
 namespace pineda::timing {
 
 struct FrameResult {
-  Cycle cycles = 0;          // up to and including the last write accepted, the clear if none
-  Cycle drained_cycles = 0;  // until the whole pipeline is empty; the units' cycles add up to it
+  Cycle cycles = 0;  // up to and including the last write accepted, the clear if none
   core::FrameCounters counters;
-  UnitCycles setup;
-  UnitCycles tiles;   // traversal: the tile tests
-  UnitCycles stamps;  // traversal: the stamp tests
-  UnitCycles interp_ztest;
+  CycleCounters spent;
+  bool knows_passed = true;  // else interpolated, passed and samples_passed count every sample
+
+  const UnitCycles& of(Unit unit) const { return spent.units[static_cast<size_t>(unit)]; }
 };
 
-/// The rasterizer with ideal memories: one frame after the other, each as after a reset.
+/// Whose memories a RasterTop draws into.
+enum class Memories {
+  kInside,   // a FrameMemory of its own, ideal at first
+  kOutside,  // what a platform binds to the sockets
+};
+
+/// The rasterizer: one frame after the other, each as after a reset.
 ///
 /// Bits     core::Renderer defines every write; the units call the functions that it calls.
 /// In       run(): raster state, triangles.
-/// Out      the cycles of the frame; memory(): its buffers; a listener sees each token.
+/// Out      depth_socket, color_socket: see MemorySocket. The cycles of the frame; a listener sees
+///          each token.
 /// Rate     see the units: the cycles are those of the RTL, write by write.
 /// Drops    see SetupUnit.
 /// Errors   a frame outside 1 .. 2^guard px: std::invalid_argument. What pull throws, run() throws,
 ///          after the triangles before it are drawn; the next frame starts clean.
 /// Twin     rtl/raster_top.sv.
 ///
-/// There is no clock: run() lets the threads go on until all of them wait, which is when all
-/// triangles are through. One elaboration a process, so one top a process; frames as many as
-/// wanted.
+/// There is no clock and no process: a triangle goes through all units before the next one is
+/// pulled, and carries its cycles with it. Inside a platform run() is called from an SC_THREAD, and
+/// returns when the time of the frame has passed. Memories outside are cleared by the platform
+/// before that. One elaboration a process; frames as many as wanted.
 class RasterTop final : public sc_core::sc_module {
  public:
-  RasterTop(sc_core::sc_module_name name, const spec::Contract& contract);
+  RasterTop(sc_core::sc_module_name name, const spec::Contract& contract,
+            Memories memories = Memories::kInside);
 
-  /// Latency of the depth memory from the next frame on: 1 .. design.max_depth_latency_cycles.
-  void set_depth_latency_cycles(int cycles) { memory_.set_latency_cycles(cycles); }
+  auto& depth_socket() { return ports_.depth.socket; }
+  auto& color_socket() { return ports_.color.socket; }
+  /// From the next frame on: the length of a cycle, 1 ns unless set, and where the frame lies.
+  /// With memories inside the addresses start at 0.
+  void set_memory_map(const sc_core::sc_time& period, uint64_t depth_base, uint64_t color_base);
+
+  // Of memories inside, from the next frame on:
+  /// An ideal memory of a latency of 1 .. design.max_depth_latency_cycles.
+  void set_depth_latency_cycles(int cycles);
+  void set_memory(std::shared_ptr<memory::MemoryTiming> timing) {
+    memory_->set_timing(std::move(timing));
+  }
   /// When the ports of the outside move, from the next frame on. Default: always.
   void set_ready(const Ready& ready);
 
-  /// Draws one frame. Not to be called from a SystemC process.
-  FrameResult run(const spec::FrameState& state, Pull pull, Listener* listener = nullptr);
+  /// True: every bit is computed (the default). False: only what time depends on: coverage always;
+  /// depth of every stamp with hierarchical z, else of those that the last write may belong to;
+  /// attributes never. Samples that pass are then not counted, and there is no frame. A listener
+  /// and memories that are not always ready want every bit.
+  void set_bits(bool bits) { bits_ = bits; }
 
-  /// Depth and colour of the last frame; its hits are not counted.
-  const core::FrameBuffer& buffer() const { return memory_.buffer(); }
+  /// Draws one frame.
+  FrameResult run(const spec::FrameState& state, const Pull& pull, Listener* listener = nullptr);
+
+  /// Depth and colour of the last frame in memories inside; its hits are not counted.
+  core::FrameBuffer buffer() const;
 
  private:
-  void begin_frame(const spec::FrameState& state, Pull pull, Listener* listener);
+  void end_of_elaboration() override;
+  void begin_frame(const spec::FrameState& state, Listener* listener);
+  void clear_direct();
+  void leave_out_bits();
   FrameResult result() const;
 
   spec::Contract contract_;
@@ -59,10 +87,17 @@ class RasterTop final : public sc_core::sc_module {
   SetupUnit setup_;
   TimedFifo<spec::SetupPrim> prims_;
   TraversalUnit traversal_;
-  TimedFifo<spec::Stamp> stamps_;
+  StampFifo stamps_;
   InterpZtestUnit interp_ztest_;
-  IdealMemory memory_;
+  MemoryPorts ports_;
+  std::unique_ptr<FrameMemory> memory_;  // none outside
+  sc_core::sc_time period_{1, sc_core::SC_NS};
+  sc_core::sc_time begun_;  // of the frame
   HierarchicalZ hierarchical_z_;
+  LastWrite last_write_;
+  bool bits_ = true;
+  bool is_direct_ = false;    // the last frame was drawn into direct_, memory_ did not see it
+  core::FrameBuffer direct_;  // hits stay 0
 };
 
 }  // namespace pineda::timing

@@ -6,62 +6,91 @@ namespace pineda::timing {
 
 SetupUnit::SetupUnit(sc_core::sc_module_name name, const spec::Contract& contract)
     : sc_module(name), contract_(contract) {
-  SC_HAS_PROCESS(SetupUnit);
-  SC_THREAD(run);
+  tri_i.bind(*this);
 }
 
-void SetupUnit::end_of_elaboration() {
-  require_bound(tri_i, "pineda/setup/unbound");
-  require_bound(prim_o, "pineda/setup/unbound");
-}
+void SetupUnit::end_of_elaboration() { require_bound(prim_o, "pineda/setup/unbound"); }
 
 void SetupUnit::begin_frame(Frame* frame) {
   frame_ = frame;
+  prim_ = {};
   next_step_ = empty_step_ = busy_ = frozen_ = total_frozen_ = 0;
   freezes_.clear();
   last_output_ = -1;
 }
 
-void SetupUnit::run() {
-  for (;;) {
-    Cycle offered;
-    const spec::Triangle& triangle = tri_i->front(&offered);
-    spec::SetupPrim prim;
-    const core::Drop drop = core::setup(contract_, frame_->state, triangle, &prim);
-    ++frame_->counters.triangles;
-    ++frame_->counters.dropped[static_cast<size_t>(drop)];
+Cycle SetupUnit::take(const spec::Triangle& triangle, Cycle offered) {
+  const core::Drop drop = core::setup(contract_, frame_->state, triangle, &prim_, frame_->planes);
+  ++frame_->counters.triangles;
+  ++frame_->counters.dropped[static_cast<size_t>(drop)];
 
-    tri_i->pop(accept(offered));
-    const Cycle step = next_step_;
-    const bool sent = drop == core::Drop::kNone;
-    const spec::Widths& width = contract_.width;
-    const Cycle interval = sent ? width.setup_interval_cycles : width.setup_drop_cycles;
-    busy_ += interval;
-    next_step_ = step + interval;
-    empty_step_ = sent ? next_step_ : step + width.setup_drop_latency_cycles;
-    if (sent) send(prim, step);
-  }
+  const Cycle accepted = accept(offered);
+  const Cycle step = next_step_;
+  const bool sent = drop == core::Drop::kNone;
+  const spec::Widths& width = contract_.width;
+  const Cycle interval = sent ? width.setup_interval_cycles : width.setup_drop_cycles;
+  if (frame_->listener != nullptr) report_work(interval, triangle.id);
+  busy_ += interval;
+  next_step_ = step + interval;
+  empty_step_ = sent ? next_step_ : step + width.setup_drop_latency_cycles;
+  if (!sent) return accepted;
+  if (frame_->last_write != nullptr) frame_->last_write->triangle(triangle);
+  send(step);
+  return accepted;
 }
 
 Cycle SetupUnit::accept(Cycle offered) {
+  const Cycle worked_until = next_step_;
   const auto step = [&] { return std::max(next_step_, offered - frozen_); };
   for (; !freezes_.empty() && freezes_.front().step <= step(); freezes_.pop_front()) {
     // A triangle that comes while the unit is frozen is accepted in the step that ends the freeze.
     next_step_ = std::max(next_step_, freezes_.front().step);
+    if (freezes_.front().step >= worked_until) report(freezes_.front());
     frozen_ += freezes_.front().cycles;
   }
   next_step_ = step();
   return next_step_ + frozen_;
 }
 
-void SetupUnit::send(const spec::SetupPrim& prim, Cycle accepted_step) {
+void SetupUnit::send(Cycle accepted_step) {
   const Cycle step = accepted_step + contract_.width.setup_latency_cycles;
   const Cycle offered = step + total_frozen_;
-  last_output_ = prim_o->push(prim, offered);
-  frame_->listener->prim(last_output_, prim);
+  last_output_ = prim_o->push(prim_, offered);
+  if (frame_->listener != nullptr) frame_->listener->prim(last_output_, prim_);
   if (last_output_ == offered) return;
-  freezes_.push_back({step, last_output_ - offered});
+  freezes_.push_back({step, last_output_ - offered, prim_.id});
   total_frozen_ += last_output_ - offered;
+}
+
+// The steps of a triangle accepted in next_step_, with the freezes among them: of outputs before
+// its own, so all are listed.
+void SetupUnit::report_work(Cycle interval, uint32_t id) const {
+  Cycle cycle = next_step_ + frozen_;
+  Cycle step = next_step_;
+  for (const Freeze& freeze : freezes_) {
+    if (freeze.step >= next_step_ + interval) break;
+    const Cycle until = cycle + freeze.step - step;
+    if (until > cycle) frame_->listener->spent(Unit::kSetup, Cause::kBusy, cycle, until, id);
+    cycle = until + freeze.cycles;
+    frame_->listener->spent(Unit::kSetup, Cause::kBlocked, until, cycle, freeze.id);
+    step = freeze.step;
+  }
+  frame_->listener->spent(Unit::kSetup, Cause::kBusy, cycle, cycle + next_step_ + interval - step,
+                          id);
+}
+
+// A freeze that no step of a triangle surrounds.
+void SetupUnit::report(const Freeze& freeze) const {
+  if (frame_->listener == nullptr) return;
+  const Cycle from = freeze.step + frozen_;
+  frame_->listener->spent(Unit::kSetup, Cause::kBlocked, from, from + freeze.cycles, freeze.id);
+}
+
+void SetupUnit::drain() {
+  for (; !freezes_.empty(); freezes_.pop_front()) {
+    if (freezes_.front().step >= next_step_) report(freezes_.front());
+    frozen_ += freezes_.front().cycles;
+  }
 }
 
 Cycle SetupUnit::idle_from() const {
@@ -71,9 +100,9 @@ Cycle SetupUnit::idle_from() const {
 
 UnitCycles SetupUnit::cycles(Cycle drained) const {
   UnitCycles cycles;
-  cycles.busy = busy_;
-  cycles.blocked = total_frozen_;
-  cycles.starved = drained - busy_ - total_frozen_;
+  cycles[Cause::kBusy] = busy_;
+  cycles[Cause::kBlocked] = total_frozen_;
+  cycles[Cause::kStarved] = drained - busy_ - total_frozen_;
   return cycles;
 }
 

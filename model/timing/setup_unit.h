@@ -30,14 +30,17 @@ namespace pineda::timing {
 /// takes the output later than cycle(output[n]): with the freezes of earlier outputs, which are all
 /// known when output n is handed over. Later triangles may be accepted before that step, so a
 /// freeze waits in a list until the acceptances have come past its step.
-class SetupUnit final : public sc_core::sc_module {
+class SetupUnit final : public sc_core::sc_module, public StreamIn<spec::Triangle> {
  public:
-  Port<StreamIn<spec::Triangle>> tri_i{"tri_i"};
+  sc_core::sc_export<StreamIn<spec::Triangle>> tri_i{"tri_i"};
   Port<StreamOut<spec::SetupPrim>> prim_o{"prim_o"};
 
   SetupUnit(sc_core::sc_module_name name, const spec::Contract& contract);
 
   void begin_frame(Frame* frame);
+  Cycle take(const spec::Triangle& triangle, Cycle offered) override;
+  /// All triangles are through.
+  void drain();
   /// The first cycle in which the unit is idle, once all triangles are through.
   Cycle idle_from() const;
   /// `drained`: the cycle in which the frame has drained.
@@ -47,15 +50,18 @@ class SetupUnit final : public sc_core::sc_module {
   struct Freeze {
     Cycle step;
     Cycle cycles;
+    uint32_t id;  // the triangle whose output is not taken
   };
 
   void end_of_elaboration() override;
-  void run();
   Cycle accept(Cycle offered);  // the cycle in which a triangle offered from then on is accepted
-  void send(const spec::SetupPrim& prim, Cycle accepted_step);
+  void send(Cycle accepted_step);
+  void report_work(Cycle interval, uint32_t id) const;
+  void report(const Freeze& freeze) const;
 
   spec::Contract contract_;
   Frame* frame_ = nullptr;
+  spec::SetupPrim prim_;
   Cycle next_step_ = 0;         // the first step in which a triangle can be accepted
   Cycle empty_step_ = 0;        // the first step without the last triangle, if it was dropped
   Cycle busy_ = 0;              // steps spent on triangles

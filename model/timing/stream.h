@@ -6,7 +6,8 @@
 #include <systemc>
 #include <vector>
 
-#include "model/timing/local_time.h"
+#include "model/timing/fifo_levels.h"
+#include "model/timing/frame.h"
 
 namespace pineda::timing {
 
@@ -14,12 +15,10 @@ namespace pineda::timing {
 template <class T>
 class StreamIn : public virtual sc_core::sc_interface {
  public:
-  /// The oldest token and the first cycle in which it can be taken. Suspends the calling thread
-  /// while there is none; valid until pop().
-  virtual const T& front(Cycle* visible) = 0;
-
-  /// Takes the oldest token in `cycle`: not before it is visible, later than the one before.
-  virtual void pop(Cycle cycle) = 0;
+  /// Takes a token that is visible from the cycle `visible` on; returns the cycle in which it is
+  /// taken, later than that of the token before. All that the token causes further on is known by
+  /// then.
+  virtual Cycle take(const T& token, Cycle visible) = 0;
 };
 
 /// The producer's end of a stream.
@@ -27,67 +26,8 @@ template <class T>
 class StreamOut : public virtual sc_core::sc_interface {
  public:
   /// Hands over a token that is offered from the cycle `earliest` on; returns the cycle in which it
-  /// is taken. Suspends the calling thread while that cycle cannot be known.
+  /// is taken.
   virtual Cycle push(const T& token, Cycle earliest) = 0;
-};
-
-/// A FIFO between two units, each of which runs in its own local time.
-///
-/// Rate     as rtl/lib/stream_fifo.sv. Slot n % depth serves token n, hence the recurrences
-///            push[n]    = max(offered[n], pop[n - depth] + 1)   a slot freed in t is there in t+1
-///            visible[n] = push[n] + 1                           pushed in t, seen in t+1
-///          A slot keeps the cycle of its last insertion and of its last release, so both ends
-///          find their cycles whatever the order in which the threads run. A thread waits only
-///          where it has to: the consumer for a token, the producer for a release.
-/// Errors   none.
-/// Twin     rtl/lib/stream_fifo.sv. Source: Helmstetter et al., "Fast and accurate TLM simulations
-///          using temporal decoupling for FIFO-based communications", DATE 2013.
-template <class T>
-class TimedFifo final : public sc_core::sc_object, public StreamIn<T>, public StreamOut<T> {
- public:
-  TimedFifo(const char* name, int depth) : sc_object(name), slots_(static_cast<size_t>(depth)) {}
-
-  /// Forgets the cycles of the last frame; the FIFO is empty then.
-  void begin_frame() {
-    sc_assert(pushed_ == popped_);
-    for (Slot& slot : slots_) slot.freed = kNever;
-  }
-
-  const T& front(Cycle* visible) override {
-    while (pushed_ == popped_) sc_core::wait(insertion_);
-    const Slot& slot = slots_[popped_ % slots_.size()];
-    *visible = slot.inserted + 1;
-    return slot.token;
-  }
-
-  void pop(Cycle cycle) override {
-    slots_[popped_++ % slots_.size()].freed = cycle;
-    release_.notify();
-  }
-
-  Cycle push(const T& token, Cycle earliest) override {
-    while (pushed_ - popped_ == slots_.size()) sc_core::wait(release_);
-    Slot& slot = slots_[pushed_++ % slots_.size()];
-    slot.token = token;
-    slot.inserted = std::max(earliest, slot.freed + 1);
-    insertion_.notify();
-    return slot.inserted;
-  }
-
- private:
-  static constexpr Cycle kNever = -1;
-
-  struct Slot {
-    T token{};
-    Cycle inserted = kNever;
-    Cycle freed = kNever;
-  };
-
-  std::vector<Slot> slots_;
-  size_t pushed_ = 0;
-  size_t popped_ = 0;
-  sc_core::sc_event insertion_;
-  sc_core::sc_event release_;
 };
 
 /// Ports of a unit. They may stay unbound as far as SystemC is concerned, so that require_bound()
@@ -100,5 +40,64 @@ template <class Interface>
 void require_bound(const Port<Interface>& port, const char* type) {
   if (port.size() == 0) SC_REPORT_FATAL(type, port.name());
 }
+
+/// A FIFO between two units, each of which runs in its own local time.
+///
+/// In       push(): the producer's tokens.
+/// Out      out_o: the consumer.
+/// Rate     as rtl/lib/stream_fifo.sv. Slot n % depth serves token n, hence the recurrences
+///            push[n]    = max(offered[n], pop[n - depth] + 1)   a slot freed in t is there in t+1
+///            visible[n] = push[n] + 1                           pushed in t, seen in t+1
+///          A slot keeps the cycle of its last release. The consumer of token n is called before
+///          token n + 1 exists, so every pop that a push waits for is known when it is pushed:
+///          nobody ever waits, there is no context switch, and back-pressure is exact.
+/// Errors   out_o left unbound: SC_REPORT_FATAL "pineda/fifo/unbound".
+/// Twin     rtl/lib/stream_fifo.sv. Source: slots that carry times are those of Helmstetter et al.,
+///          "Fast and accurate TLM simulations using temporal decoupling for FIFO-based
+///          communications", DATE 2013.
+template <class T, class Consumer = StreamIn<T>, class Producer = StreamOut<T>>
+class TimedFifo : public sc_core::sc_module, public Producer {
+ public:
+  Port<Consumer> out_o{"out_o"};
+
+  TimedFifo(sc_core::sc_module_name name, Fifo fifo, int depth)
+      : sc_module(name), fifo_(fifo), freed_(static_cast<size_t>(depth), kNever), levels_(depth) {}
+
+  /// Forgets the cycles of the last frame.
+  void begin_frame(Listener* listener) {
+    std::fill(freed_.begin(), freed_.end(), kNever);
+    next_ = 0;
+    listener_ = listener;
+    levels_.begin_frame();
+  }
+
+  /// The cycles of the frame by level, 0 to depth.
+  std::vector<Cycle> levels(Cycle drained) const { return levels_.cycles(drained); }
+
+  Cycle push(const T& token, Cycle earliest) override {
+    Cycle& freed = freed_[next_];
+    next_ = next_ + 1 == freed_.size() ? 0 : next_ + 1;
+    const Cycle inserted = std::max(earliest, freed + 1);
+    freed = consumer_->take(token, inserted + 1);
+    levels_.slot(inserted, freed);
+    if (listener_ != nullptr) listener_->slot(fifo_, inserted, freed);
+    return inserted;
+  }
+
+ protected:
+  static constexpr Cycle kNever = -1;
+
+  void end_of_elaboration() override {
+    require_bound(out_o, "pineda/fifo/unbound");
+    consumer_ = out_o[0];
+  }
+
+  Fifo fifo_;
+  std::vector<Cycle> freed_;  // by slot
+  size_t next_ = 0;           // the slot of the next token
+  Consumer* consumer_ = nullptr;
+  Listener* listener_ = nullptr;
+  FifoLevels levels_;
+};
 
 }  // namespace pineda::timing

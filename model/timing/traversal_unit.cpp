@@ -6,106 +6,132 @@ namespace pineda::timing {
 
 namespace {
 
-// Takes the next token in the cycle of the last test, if it is there; the first test comes after.
-template <class T>
-T take(StreamIn<T>* stream, LocalTime* time) {
-  Cycle visible;
-  T token = stream->front(&visible);
-  const Cycle taken = std::max(time->now() - 1, visible);
-  stream->pop(taken);
-  time->starve(taken + 1);
-  return token;
+// Takes a token in the cycle of the last test, if it is there; the first test comes after.
+Cycle taken(Cycle visible, LocalTime* time) {
+  const Cycle cycle = std::max(time->now() - 1, visible);
+  time->starve(cycle + 1);
+  return cycle;
 }
 
 }  // namespace
 
 TraversalUnit::TraversalUnit(sc_core::sc_module_name name, const spec::Contract& contract)
-    : sc_module(name), contract_(contract), tiles_("tiles", contract.design.tile_fifo_depth) {
-  SC_HAS_PROCESS(TraversalUnit);
-  SC_THREAD(run_tiles);
-  SC_THREAD(run_stamps);
+    : sc_module(name),
+      contract_(contract),
+      walk_(contract),
+      cover_(contract),
+      stamp_walker_(this),
+      tiles_("tiles", Fifo::kTiles, contract.design.tile_fifo_depth) {
+  prim_i.bind(*this);
+  tiles_.out_o(stamp_walker_);
 }
 
-void TraversalUnit::end_of_elaboration() {
-  require_bound(prim_i, "pineda/traversal/unbound");
-  require_bound(stamp_o, "pineda/traversal/unbound");
-}
+void TraversalUnit::end_of_elaboration() { require_bound(stamp_o, "pineda/traversal/unbound"); }
 
 void TraversalUnit::begin_frame(Frame* frame) {
   frame_ = frame;
-  tiles_.begin_frame();
-  tile_time_ = {};
-  stamp_time_ = {};
-  stamp_sent_ = -1;
+  tiles_.begin_frame(frame->listener);
+  time_ = LocalTime(Unit::kTiles, frame->listener);
+  stamp_walker_.begin_frame(frame->listener);
+  floors_.reset();
+  if (frame->hierarchical_z != nullptr && frame->hierarchical_z->is_active()) {
+    floors_.emplace(contract_, frame->state, core::TileShader::Values::kDepth);
+  }
 }
 
-void TraversalUnit::run_tiles() {
-  for (;;) walk(take(prim_i[0], &tile_time_));
+Cycle TraversalUnit::take(const spec::SetupPrim& prim, Cycle visible) {
+  const Cycle cycle = taken(visible, &time_);
+  walk(prim);
+  return cycle;
 }
 
 void TraversalUnit::walk(const spec::SetupPrim& prim) {
   using Test = core::TileWalk::Test;
-  core::TileWalk tiles(contract_, prim);
-  spec::Tile tile;
-  for (Test test; (test = tiles.next(&tile)) != Test::kEnd;) {
-    ++frame_->counters.tiles_tested;
+  walk_.begin(prim);
+  if (floors_) floors_->begin(prim);
+  core::FrameCounters& counters = frame_->counters;
+  const bool tokens = frame_->tokens;
+  std::optional<core::TileWalk> planes;  // what stamps are made of
+  if (tokens) planes.emplace(contract_, prim);
+  for (Test test; (test = walk_.next(&cover_)) != Test::kEnd; time_.work(1, prim.id)) {
+    if (tokens) planes->next(&tile_);
+    ++counters.tiles_tested;
     if (test == Test::kRejected) {
-      ++frame_->counters.tiles_rejected;
-    } else if (is_hidden(tile)) {
-      ++frame_->counters.tiles_hidden;
+      ++counters.tiles_rejected;
+    } else if (is_hidden(prim)) {
+      ++counters.tiles_hidden;
     } else {
-      frame_->counters.tiles_accepted += tile.accepted == 7 ? 1 : 0;
-      ++frame_->under_way;
-      tile_time_.block(tiles_.push(tile, tile_time_.now()));
+      counters.tiles_accepted += cover_.accepted == 7 ? 1 : 0;
+      walk_.cover_stamps(tokens || frame_->has_values, &cover_, &frame_->stamps);
+      if (tokens) core::StampWalk(contract_, tile_).begin(&stamp_);
+      const TileToken token{&prim, &cover_, tokens ? &stamp_ : nullptr};
+      time_.spend(Cause::kBlocked, tiles_.push(token, time_.now()), prim.id);
     }
-    tile_time_.work(1);
   }
 }
 
-bool TraversalUnit::is_hidden(const spec::Tile& tile) {
-  if (frame_->hierarchical_z == nullptr || !frame_->hierarchical_z->is_active()) return false;
-  const uint32_t floor = core::depth_floor(contract_, tile.planes);
-  if (floor == 0) return false;
-  while (frame_->under_way != 0) sc_core::wait(sc_core::SC_ZERO_TIME);
-  return frame_->hierarchical_z->hides(tile_time_.now(), tile.x, tile.y, floor);
+bool TraversalUnit::is_hidden(const spec::SetupPrim&) {
+  if (!floors_) return false;
+  const uint32_t floor = floors_->depth_floor(cover_.x, cover_.y);
+  return floor != 0 && frame_->hierarchical_z->hides(time_.now(), cover_.x, cover_.y, floor);
 }
 
-void TraversalUnit::run_stamps() {
-  for (;;) walk(take<spec::Tile>(&tiles_, &stamp_time_));
+void TraversalUnit::StampWalker::begin_frame(Listener* listener) {
+  time = LocalTime(Unit::kStamps, listener);
+  sent = -1;
 }
 
-void TraversalUnit::walk(const spec::Tile& tile) {
-  core::StampWalk stamps(contract_, tile);
-  spec::Stamp stamp;
-  stamps.begin(&stamp);
-  while (stamps.next(&stamp.mask, &stamp.x, &stamp.y)) {
-    if (stamp.mask != 0) stamp_time_.block(stamp_sent_);  // the output register
-    stamp_time_.work(1);
-    if (stamp.mask != 0) send(stamp);
+Cycle TraversalUnit::StampWalker::take(const TileToken& tile, Cycle visible) {
+  const Cycle cycle = taken(visible, &time);
+  const core::TileSamples& covered = tile.cover->covered;
+  const int tests = tile.cover->tests();
+  if (covered.count == 0) {
+    time.work(tests, tile.prim->id);
+  } else if (sent <= time.now() && unit_.stamp_o->push_run(tile, time.now() + 1)) {
+    sent = time.now() + covered.last + 1;
+    time.work(tests, tile.prim->id);
+  } else {
+    walk(tile);
   }
-  --frame_->under_way;
+  return cycle;
 }
 
-void TraversalUnit::send(const spec::Stamp& stamp) {
-  ++frame_->under_way;
-  stamp_sent_ = stamp_o->push(stamp, stamp_time_.now());
-  frame_->listener->stamp(stamp_sent_, stamp);
-  ++frame_->counters.stamps;
-  frame_->counters.fragments += static_cast<uint64_t>(__builtin_popcount(stamp.mask));
+void TraversalUnit::StampWalker::walk(const TileToken& tile) {
+  const core::TileCover& cover = *tile.cover;
+  const spec::Design& d = unit_.contract_.design;
+  const int columns_log2 = d.tile_log2 - d.stamp_width_log2;
+  const uint32_t id = tile.prim->id;
+  int tested = 0;
+  cover.covered.for_each_stamp([&](int test) {
+    time.work(test - tested, id);
+    time.spend(Cause::kBlocked, sent, id);  // the output register
+    time.work(1, id);
+    tested = test + 1;
+    const int place = cover.place(test, columns_log2);
+    if (tile.stamp != nullptr) {
+      tile.stamp->mask = cover.covered.mask[static_cast<size_t>(test)];
+      tile.stamp->x = (cover.x << columns_log2) + (place & ((1 << columns_log2) - 1));
+      tile.stamp->y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2);
+    }
+    sent = unit_.stamp_o->push({&tile, test, place}, time.now());
+    Listener* const listener = unit_.frame_->listener;
+    if (listener != nullptr) listener->stamp(sent, *tile.stamp);
+  });
+  time.work(cover.tests() - tested, id);
 }
 
 Cycle TraversalUnit::idle_from() const {
-  return std::max({tile_time_.now(), stamp_time_.now(), stamp_sent_ + 1});
+  return std::max({time_.now(), stamp_walker_.time.now(), stamp_walker_.sent + 1});
 }
 
 UnitCycles TraversalUnit::tile_cycles(Cycle drained) const {
-  LocalTime time = tile_time_;
+  LocalTime time = time_;
   time.starve(drained);
   return time.cycles();
 }
 
 UnitCycles TraversalUnit::stamp_cycles(Cycle drained) const {
-  LocalTime time = stamp_time_;
+  LocalTime time = stamp_walker_.time;
   time.starve(drained);
   return time.cycles();
 }

@@ -1,14 +1,17 @@
 // Traversal in time.
 #pragma once
 
-#include "model/timing/frame.h"
-#include "model/timing/stream.h"
+#include <optional>
+
+#include "model/timing/local_time.h"
+#include "model/timing/tokens.h"
 
 namespace pineda::timing {
 
 /// Traversal: the tiles of a triangle's box, then the stamps of each tile that is not rejected.
 ///
-/// Bits     core::TileWalk and core::StampWalk define every output bit; this class adds only time.
+/// Bits     core::TileWalk and core::StampWalk define every output bit, core::TileCoverWalk finds
+///          the same faster; this class adds only time.
 /// In       prim_i: edges and planes at the first sample of the box's first tile.
 /// Out      stamp_o: coverage mask and planes of one stamp; never empty.
 /// Rate     one tile test a cycle and one stamp test a cycle, side by side. Latency 4 cycles.
@@ -25,35 +28,55 @@ namespace pineda::timing {
 /// output register, which is free again in the cycle in which the stamp in it is taken:
 ///   done[k] = test[k] if empty, else max(test[k], sent[k'])   k' = the stamp sent before
 ///   sent[k] = the cycle in which the next FIFO takes what is offered from done[k] + 1 on.
-class TraversalUnit final : public sc_core::sc_module {
+/// So if nothing is in the register at test[0] and the next FIFO never pushes back, test[k] =
+/// test[0] + k and sent[k] = test[k] + 1: such a tile is timed as a whole.
+class TraversalUnit final : public sc_core::sc_module, public StreamIn<spec::SetupPrim> {
  public:
-  Port<StreamIn<spec::SetupPrim>> prim_i{"prim_i"};
-  Port<StreamOut<spec::Stamp>> stamp_o{"stamp_o"};
+  sc_core::sc_export<StreamIn<spec::SetupPrim>> prim_i{"prim_i"};
+  Port<StampStream> stamp_o{"stamp_o"};
 
   TraversalUnit(sc_core::sc_module_name name, const spec::Contract& contract);
 
   void begin_frame(Frame* frame);
+  Cycle take(const spec::SetupPrim& prim, Cycle visible) override;
   /// The first cycle in which the unit is idle, once all triangles are through.
   Cycle idle_from() const;
   /// `drained`: the cycle in which the frame has drained.
   UnitCycles tile_cycles(Cycle drained) const;
   UnitCycles stamp_cycles(Cycle drained) const;
+  std::vector<Cycle> tile_levels(Cycle drained) const { return tiles_.levels(drained); }
 
  private:
+  /// The second walker.
+  class StampWalker final : public sc_core::sc_object, public StreamIn<TileToken> {
+   public:
+    explicit StampWalker(TraversalUnit* unit) : sc_object("stamp_walker"), unit_(*unit) {}
+    void begin_frame(Listener* listener);
+    Cycle take(const TileToken& tile, Cycle visible) override;
+
+    LocalTime time;
+    Cycle sent = -1;  // the cycle in which the last stamp was taken
+
+   private:
+    void walk(const TileToken& tile);
+
+    TraversalUnit& unit_;
+  };
+
   void end_of_elaboration() override;
-  void run_tiles();
-  void run_stamps();
   void walk(const spec::SetupPrim& prim);
-  void walk(const spec::Tile& tile);
-  bool is_hidden(const spec::Tile& tile);
-  void send(const spec::Stamp& stamp);
+  bool is_hidden(const spec::SetupPrim& prim);
 
   spec::Contract contract_;
   Frame* frame_ = nullptr;
-  TimedFifo<spec::Tile> tiles_;
-  LocalTime tile_time_;
-  LocalTime stamp_time_;
-  Cycle stamp_sent_ = -1;  // the cycle in which the last stamp was taken
+  LocalTime time_;  // of the tile walker
+  core::TileCoverWalk walk_;
+  core::TileCover cover_;
+  std::optional<core::TileShader> floors_;  // hierarchical z
+  spec::Tile tile_;                         // if Frame::tokens
+  spec::Stamp stamp_;
+  StampWalker stamp_walker_;
+  TimedFifo<TileToken> tiles_;
 };
 
 }  // namespace pineda::timing

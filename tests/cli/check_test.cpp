@@ -1,8 +1,10 @@
 // pineda check under stalls and latencies, and its exit 1.
 #include <gtest/gtest.h>
+#include <gtkwave/fstapi.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <optional>
 
 #include "tests/cli/frames.h"
@@ -24,15 +26,29 @@ TEST_P(CheckUnder, EveryCommandCountsTheSameCycles) {
   for (const char* name : {"CullNoneDepthLess", "TileBorders"}) {
     const std::string text = scratch.write("scene.tri", tri_text(frame(name)));
     for (const char* seed : {"0", "7"}) {
-      const auto run = [&](const char* command) {
+      const auto run = [&](const char* command, const char* option = "--quiet") {
         return figures({command, text, "--stall", GetParam().stall, "--latency", GetParam().latency,
-                        "--seed", seed});
+                        "--seed", seed, option});
       };
       const Json check = run("check");
       EXPECT_EQ(check.at("mismatches"), 0);
       EXPECT_EQ(check.at("cycles").at("model"), check.at("cycles").at("rtl"));
-      EXPECT_EQ(run("time").at("cycles"), check.at("cycles").at("model"));
-      EXPECT_EQ(run("rtl").at("cycles"), check.at("cycles").at("rtl"));
+      EXPECT_TRUE(check.at("counters_differ").empty()) << check.at("counters_differ");
+      EXPECT_EQ(check.at("counters_compared"), 58);
+      const Json time_alone = run("time");
+      const Json time = run("time", "--bits");
+      const Json rtl = run("rtl");
+      EXPECT_EQ(time.at("cycles"), check.at("cycles").at("model"));
+      EXPECT_EQ(time_alone.at("cycles"), check.at("cycles").at("model"));
+      EXPECT_EQ(rtl.at("cycles"), check.at("cycles").at("rtl"));
+      for (const char* key : {"drained", "units", "fifos", "port_stalls", "stamps_by_samples",
+                              "depth_tests", "counters"}) {
+        EXPECT_EQ(time.at(key), check.at(key)) << key;
+        EXPECT_EQ(rtl.at(key), check.at(key)) << key;
+      }
+      for (const char* key : {"drained", "units", "fifos", "port_stalls", "stamps_by_samples"}) {
+        EXPECT_EQ(time_alone.at(key), check.at(key)) << key;
+      }
     }
   }
 }
@@ -45,6 +61,24 @@ INSTANTIATE_TEST_SUITE_P(Cli, CheckUnder,
                          [](const auto& param) {
                            return param.param.stall + "_" + param.param.latency;
                          });
+
+TEST(MemoryKinds, CostTimeAndChangeNoBit) {
+  const Scratch scratch;
+  const std::string text = scratch.write("scene.tri", tri_text(frame("CullNoneDepthLess")));
+  const auto run = [&](const char* kind) {
+    return figures({"rtl", text, "--dump", scratch.path("dump"), "--memory", kind});
+  };
+  const Json ideal = run("ideal");
+  const std::string color = read_bytes(scratch.path("dump/color.rgba"));
+  for (const char* kind : {"dram", "dram_merged"}) {
+    const Json dram = run(kind);
+    EXPECT_TRUE(read_bytes(scratch.path("dump/color.rgba")) == color) << kind;
+    EXPECT_GT(dram.at("cycles"), ideal.at("cycles")) << kind;
+    EXPECT_EQ(dram.at("memory"), kind);
+    EXPECT_GT(dram.at("dram").at("depth").at("misses"), 0) << kind;
+    EXPECT_EQ(figures({"check", text, "--memory", kind}).at("mismatches"), 0) << kind;
+  }
+}
 
 TEST(Stalls, CostTimeAndChangeNoBit) {
   const Scratch scratch;
@@ -81,34 +115,105 @@ class FaultyRtl : public testing::Test {
 
 TEST_F(FaultyRtl, MakesCheckExitOne) {
   const std::string text = scratch_.write("scene.tri", tri_text(frame("TileBorders")));
-  const Outcome run = pineda({"check", text, "--json", "-", "-o", scratch_.path("out")}, copy_);
+  const Outcome run =
+      pineda({"check", text, "--stall", "sink", "--json", "-", "-o", scratch_.path("out")}, copy_);
   EXPECT_EQ(run.exit_code, 1) << run.err;
   EXPECT_GT(run.json().at("mismatches"), 0);
+  const Json differ = run.json().at("counters_differ");
+  EXPECT_TRUE(std::any_of(differ.begin(), differ.end(), [](const Json& d) {
+    return d.at("name") == "stamps.blocked";
+  })) << differ;
   EXPECT_NE(run.err.find("DOES NOT HOLD"), std::string::npos) << run.err;
   EXPECT_NE(read_bytes(scratch_.path("out/report.html")).find("does not hold"), std::string::npos);
 }
 
-/// An environment variable for as long as this lives; the program inherits it.
-class Environment {
+// The fault moves no frame's cycles, but triangles retire in others.
+TEST_F(FaultyRtl, MakesStudyCyclesExitOne) {
+  const Outcome run =
+      pineda({"study", "cycles", "--scene", "hard/sliver", "--runs", "0", "--json", "-"}, copy_);
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  const Json json = run.json();
+  EXPECT_EQ(json.at("holds"), false);
+  EXPECT_GT(json.at("rows").at(0).at("retire").at("off"), 0);
+}
+
+/// A waveform as GTKWave reads it.
+class Waveform {
  public:
-  Environment(const char* name, const std::string& value) : name_(name) {
-    if (const char* old = std::getenv(name); old != nullptr) old_ = old;
-    setenv(name, value.c_str(), 1);
-  }
-  ~Environment() {
-    if (old_) {
-      setenv(name_, old_->c_str(), 1);
-    } else {
-      unsetenv(name_);
+  explicit Waveform(const std::string& path) : file_(fstReaderOpen(path.c_str())) {
+    std::string scope;
+    while (const fstHier* item = file_ == nullptr ? nullptr : fstReaderIterateHier(file_)) {
+      if (item->htyp == FST_HT_SCOPE) scope += std::string(item->u.scope.name) + ".";
+      if (item->htyp == FST_HT_UPSCOPE) scope.erase(scope.rfind('.', scope.size() - 2) + 1);
+      if (item->htyp == FST_HT_VAR) handles_[scope + item->u.var.name] = item->u.var.handle;
     }
   }
-  Environment(const Environment&) = delete;
-  Environment& operator=(const Environment&) = delete;
+  ~Waveform() {
+    if (file_ != nullptr) fstReaderClose(file_);
+  }
+  Waveform(const Waveform&) = delete;
+  Waveform& operator=(const Waveform&) = delete;
+
+  bool is_open() const { return file_ != nullptr; }
+  uint64_t start() const { return fstReaderGetStartTime(file_); }
+  uint64_t end() const { return fstReaderGetEndTime(file_); }
+  std::string at(uint64_t time, const std::string& signal) const {
+    std::string bits(1024, '\0');
+    return fstReaderGetValueFromHandleAtTime(file_, time, handles_.at(signal), bits.data());
+  }
 
  private:
-  const char* name_;
-  std::optional<std::string> old_;
+  void* file_;
+  std::map<std::string, fstHandle> handles_;
 };
+
+TEST_F(FaultyRtl, MakesCheckNameTheTriangleThatRetiresAtAnotherCycle) {
+  const std::string file = scratch_.path("out/differ.fst");
+  const Outcome run =
+      pineda({"check", "hard/sliver", "--json", "-", "-o", scratch_.path("out")}, copy_);
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_GT(run.json().at("retirement").at("off"), 0);
+  const Json found = run.json().at("first_retire_difference");
+  EXPECT_NE(found.at("model"), found.at("rtl"));
+  // A stamp more than there should be: it is seen where it leaves traversal.
+  EXPECT_EQ(found.at("unit"), "traversal");
+  const Json token = found.at("token");
+  EXPECT_EQ(token.at("boundary"), "stamp");
+  EXPECT_EQ(token.at("model"), -1);
+  const auto cycle = token.at("rtl").get<uint64_t>();
+  const Json sent = {{"triangle", found.at("triangle")}, {"cycle", cycle}};
+  const Json around = found.at("around");
+  const auto holds = [&sent](const Json& side) {
+    const Json& stamps = side.at("tokens").at("stamp");
+    return std::find(stamps.begin(), stamps.end(), sent) != stamps.end();
+  };
+  EXPECT_TRUE(holds(around.at("rtl"))) << around;
+  EXPECT_FALSE(holds(around.at("model"))) << around;
+  const std::string line = "first triangle      " + found.at("triangle").dump() + " retires";
+  EXPECT_NE(run.err.find(line), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find(file), std::string::npos) << run.err;
+  EXPECT_NE(read_bytes(scratch_.path("out/report.html")).find(file), std::string::npos);
+
+  const Waveform wave(file);
+  ASSERT_TRUE(wave.is_open());
+  const auto time_of = [](uint64_t c) { return 2 * c + 4; };  // as the line says
+  EXPECT_EQ(wave.start(), time_of(cycle < 200 ? 0 : cycle - 200));
+  EXPECT_EQ(wave.end(), time_of(cycle + 200) + 1);  // the clock edge that ends the last cycle
+  EXPECT_EQ(wave.at(time_of(cycle), "TOP.raster_top.stamp_valid"), "1");
+  EXPECT_EQ(wave.at(time_of(cycle), "TOP.raster_top.stamp_ready"), "1");
+}
+
+TEST(SoundRtl, LeavesNoWaveformOfADifference) {
+  const Scratch scratch;
+  const std::string old = scratch.write("out/differ.fst", "of another run");
+  const Outcome run = pineda({"check", "hard/sliver", "--json", "-", "-o", scratch.path("out")});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(run.json().at("first_retire_difference").is_null());
+  EXPECT_EQ(run.json().at("retirement").at("off"), 0);
+  EXPECT_EQ(run.err.find("first triangle"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("triangles, all equal"), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(old));
+}
 
 TEST_F(FaultyRtl, WithoutAnyRtlAndNoToolsOneLineSaysSo) {
   std::filesystem::remove_all(scratch_.path("lib"));
@@ -127,6 +232,7 @@ TEST(DesignFile, IsBuiltOnceAndHoldsThreeWays) {
   const Scratch scratch;
   const Environment cache("PINEDA_CACHE", scratch.path("cache"));
   const Environment quick("CXXFLAGS", "-O0");
+  const Environment small("UNITS", "raster_top");
   const std::string design =
       scratch.write("own.toml",
                     "base = \"low\"\nguard_bits = 10\ndepth_bits = 16\nattributes = 1\n"

@@ -111,6 +111,9 @@ TEST(AutoDesign, SaysWhatItChose) {
 // The whole way: found, verilated, compared at every boundary.
 TEST(AutoDesign, HoldsThreeWays) {
   const Scratch scratch;
+  const Environment cache("PINEDA_CACHE", scratch.path("cache"));
+  const Environment quick("CXXFLAGS", "-O0");
+  const Environment small("UNITS", "raster_top");
   const std::string text = scratch.write("two.tri", tri_text(two_flat_triangles()));
   const Outcome run = pineda({"check", text, "--design", "auto", "--json", "-"});
   EXPECT_EQ(run.exit_code, 0) << run.err;

@@ -72,18 +72,6 @@ TEST(Culling, FirstCauseCounts) {
             Drop::kOutside);
 }
 
-TEST(Culling, DroppedTriangleLeavesThePrimAsItWas) {
-  spec::SetupPrim prim;
-  prim.id = 77;
-  prim.x1 = 9;
-  prim.edge[0].e = 5;
-  const spec::Triangle outside = triangle({-3000, -3000}, {-600, -3000}, {-3000, -600});
-  ASSERT_EQ(core::setup(kContract, kFrame, outside, &prim), Drop::kOutside);
-  EXPECT_EQ(prim.id, 77u);
-  EXPECT_EQ(prim.x1, 9);
-  EXPECT_EQ(prim.edge[0].e, 5);
-}
-
 TEST(BoundingBox, GreatestVertexOnACentreIsExclusive) {
   // Corners on the centres of (2,3), (10,3) and (2,12).
   spec::SetupPrim prim;

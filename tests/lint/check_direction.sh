@@ -1,7 +1,7 @@
 #!/bin/sh
 # check_direction.sh ROOT: fails when an include points against the direction
-#   spec <- core <- timing <- tb <- cli;  scene -> spec;  exact uses nothing;  tests use everything.
-# Also: paths start at the root, only tb/plugin.cpp and the tests of lone modules see a Verilated
+#   spec <- core <- memory <- timing <- tb <- cli;  scene -> spec;  exact uses nothing;  tests use everything.
+# Also: paths start at the root, only the plug-ins of tb and the tests of lone modules see a Verilated
 # header, and SystemC is known from model/timing on.
 set -eu
 cd "$1"
@@ -13,20 +13,26 @@ BEGIN {
   may["model/exact"] = "model/exact"
   may["model/scene"] = "model/scene model/spec"
   may["model/baseline"] = "model/baseline model/spec"
-  may["model/timing"] = "model/timing model/core model/spec"
+  may["model/memory"] = "model/memory model/core model/spec"
+  may["model/timing"] = "model/timing model/memory model/core model/spec"
   may["vectors"] = "vectors model/core model/exact model/spec"
-  may["tb"] = "tb model/timing model/core model/spec"
-  may["studies"] = "studies tb vectors model/timing model/scene model/baseline model/exact " \
-                   "model/core model/spec"
+  may["tb"] = "tb model/timing model/memory model/core model/spec"
+  may["studies"] = "studies tb vectors model/timing model/memory model/scene model/baseline " \
+                   "model/exact model/core model/spec"
   may["cli"] = "cli " may["studies"]
+  may["examples"] = "model/timing model/memory model/core model/spec"
   may["tests"] = "tests " may["cli"]
 }
 function folder(path, part) {
   split(path, part, "/")
   return part[1] == "model" ? part[1] "/" part[2] : part[1]
 }
+# They have headers generated beside them.
+function plugs(file) {
+  return file == "tb/plugin.cpp" || file == "tb/bench_plugin.cpp"
+}
 function verilates(file) {
-  return file == "tb/plugin.cpp" || file ~ "^tests/rtl/(scheme|pipelined|setup)_rtl_test.cpp$"
+  return plugs(file) || file ~ "^tests/rtl/(scheme|pipelined|setup)_rtl_test.cpp$"
 }
 function refuse(why) {
   printf "%s:%d: %s: %s\n", FILENAME, FNR, why, $0
@@ -42,13 +48,13 @@ function refuse(why) {
   if (!(from in may)) {
     refuse("no rule for the folder " from)
   } else if (name ~ /^(verilated|V[a-z])/) {
-    if (!verilates(FILENAME)) refuse("a Verilated header outside of tb/plugin.cpp")
+    if (!verilates(FILENAME)) refuse("a Verilated header outside of the plug-ins")
   } else if (name ~ /^systemc/) {
-    if (from !~ /^(model\/timing|tb|studies|cli|tests)$/) refuse("SystemC below model/timing")
+    if (from !~ /^(model\/timing|tb|studies|cli|examples|tests)$/) refuse("SystemC below model/timing")
   } else if (to in may) {
     if (index(" " may[from] " ", " " to " ") == 0) refuse(from " may not include " to)
-  } else if ($0 ~ /"/ && FILENAME != "tb/plugin.cpp") {
-    refuse("not a path from the root")  # the plug-in has headers generated beside it
+  } else if ($0 ~ /"/ && !plugs(FILENAME)) {
+    refuse("not a path from the root")
   }
 }
 END {

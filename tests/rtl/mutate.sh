@@ -1,6 +1,7 @@
 #!/bin/sh
-# mutate.sh SOURCE EMIT FOLDER: a copy of the RTL with one fault in each unit, which that unit's
-# suite must catch. EMIT is emit_package. Fails when a fault no longer finds its line.
+# mutate.sh SOURCE EMIT FOLDER: a copy of the RTL with one fault in each unit and one in its
+# counters, which that unit's suite must catch. EMIT is emit_package. Fails when a fault no longer
+# finds its line.
 set -eu
 source=$1
 emit=$2
@@ -25,6 +26,9 @@ fault rtl/setup_edges.sv 's/top_left = dy < 0 .*;/top_left = dy < 0 || dx > 0 ||
 fault rtl/tile_walker.sv 's/assign rejects\[i\] = best < 0;/assign rejects[i] = best <= 0;/'
 # Depth test: less passes equal depths.
 fault rtl/interp_ztest_unit.sv "s/\(DEPTH_LESS: .*\)3'b100/\13'b110/"
+
+# Counters: a stamp walker that waits is busy.
+fault rtl/stamp_walker.sv 's/cycle_cause_pkg::BLOCKED/cycle_cause_pkg::BUSY/'
 
 # Package: two fields of a tile change places. It is generated, so its generator is wrapped.
 cat > "$folder/emit" <<WRAPPER

@@ -101,25 +101,6 @@ TYPED_TEST(SetupRtl, BitsMatchCoreUnderStalls) {
   EXPECT_GT(prims, 500u);
 }
 
-// Offers triangle i from offers[i] on.
-class Source final : public timing::StreamIn<spec::Triangle> {
- public:
-  Source(const SetupScene& scene, const Script& script) : scene_(scene), script_(script) {}
-  const spec::Triangle& front(Cycle* visible) override {
-    while (taken.size() == scene_.triangles.size()) sc_core::wait(never_);
-    *visible = script_.offers[taken.size()];
-    return scene_.triangles[taken.size()];
-  }
-  void pop(Cycle cycle) override { taken.push_back(cycle); }
-
-  std::vector<Cycle> taken;
-
- private:
-  const SetupScene& scene_;
-  const Script& script_;
-  sc_core::sc_event never_;
-};
-
 // Takes primitive i from takes[i] on.
 class Sink final : public timing::StreamOut<spec::SetupPrim> {
  public:
@@ -144,27 +125,28 @@ class Timed {
       : scene_(random_setup_scene(contract, seed, 300)),
         script_(random_script(contract, seed, source, sink, 300)),
         rtl_(run_setup<Model>(contract, scene_, script_)),
-        source_(scene_, script_),
         sink_(script_),
         unit_(sc_core::sc_gen_unique_name("setup"), timed_as) {
-    unit_.tri_i(source_);
     unit_.prim_o(sink_);
     frame_.state = scene_.frame;
-    frame_.listener = &listener_;
-    unit_.begin_frame(&frame_);
   }
 
   const SetupRun& rtl() const { return rtl_; }
-  /// After sc_start().
-  SetupRun model() const { return {{}, source_.taken, sink_.taken, unit_.idle_from()}; }
+  /// After sc_start(). Triangle i is offered from offers[i] on.
+  SetupRun model() {
+    unit_.begin_frame(&frame_);
+    std::vector<Cycle> taken;
+    for (const spec::Triangle& triangle : scene_.triangles) {
+      taken.push_back(unit_.take(triangle, script_.offers[taken.size()]));
+    }
+    return {{}, taken, sink_.taken, unit_.idle_from()};
+  }
 
  private:
   SetupScene scene_;
   Script script_;
   SetupRun rtl_;
-  Source source_;
   Sink sink_;
-  timing::Listener listener_;
   timing::Frame frame_;
   timing::SetupUnit unit_;
 };
@@ -178,8 +160,9 @@ TYPED_TEST(SetupRtl, CyclesMatchTheModelUnderStalls) {
   sc_core::sc_start();
   size_t prims = 0;
   for (const auto& one : all) {
-    EXPECT_TRUE(one->rtl().same_cycles(one->model()));
-    EXPECT_EQ(one->rtl().idle_from, one->model().idle_from);
+    const SetupRun model = one->model();
+    EXPECT_TRUE(one->rtl().same_cycles(model));
+    EXPECT_EQ(one->rtl().idle_from, model.idle_from);
     prims += one->rtl().taken.size();
   }
   EXPECT_GT(prims, 500u);

@@ -51,6 +51,28 @@ TEST_P(TopRtl, OddFrames) {
   }
 }
 
+// Close-ups of each cycle count together what the whole frame counts.
+TEST_P(TopRtl, CloseUpsSumUpToTheFrame) {
+  vectors::Rng rng(17);
+  spec::FrameState frame;
+  frame.width = frame.height = 12;
+  const auto triangles = random_triangles(&rng, frame, 5, 20);
+  FrameBench whole(rtl(), options(GetParam()));
+  const FrameResult result = whole.run(frame, from(triangles), nullptr);
+  std::array<timing::UnitCycles, timing::kUnits> sum;
+  const auto drained = static_cast<uint64_t>(result.spent.drained);
+  for (uint64_t cycle = 0; cycle < drained; ++cycle) {
+    FrameBench bench(rtl(), options(GetParam()));
+    const auto causes =
+        bench.run_close_up(frame, from(triangles), nullptr, {cycle, cycle, cycle + 1, ""});
+    for (size_t u = 0; u < timing::kUnits; ++u) ++sum[u][causes[u]];
+  }
+  for (size_t u = 0; u < timing::kUnits; ++u) {
+    EXPECT_EQ(sum[u].spent, result.spent.units[u].spent) << u;
+  }
+  EXPECT_GT(sum[0][timing::Cause::kBusy], 0);
+}
+
 TEST_P(TopRtl, EmptyFrameEnds) {
   FrameBench bench(rtl(), options(GetParam()));
   spec::FrameState frame;

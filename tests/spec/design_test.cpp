@@ -280,6 +280,11 @@ TEST(SetupCycles, PlanesStartWhenBothReciprocalAndDifferencesAreThere) {
   EXPECT_EQ(widths(kSchemes[0]).setup_interval_cycles, 10);
   EXPECT_EQ(widths(*find_design("div28")).setup_planes_step, 32);
   EXPECT_EQ(widths(*find_design("div28")).setup_interval_cycles, 36);
+  // A lone plane behind a slow reciprocal: the step that starts it is one of the interval's.
+  Design lone = *find_design("div28");
+  lone.attributes = 0;
+  EXPECT_EQ(widths(lone).setup_planes_step, 32);
+  EXPECT_EQ(widths(lone).setup_interval_cycles, 33);
 }
 
 }  // namespace

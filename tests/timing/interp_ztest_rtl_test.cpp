@@ -1,74 +1,90 @@
 // Interpolation and depth test on its own: the model's cycles are those of the Verilated unit,
 // write by write, in every kind of design and raster state.
+#include "model/memory/kinds.h"
+#include "model/timing/frame_memory.h"
 #include "tests/rtl/support.h"
 #include "tests/timing/support.h"
 
 namespace pineda::test {
 namespace {
 
-// The stream that a bench feeds: the next stamp is offered in the first cycle after the last one
-// was taken in which the input does not stall.
-class StampSource final : public sc_core::sc_module, public timing::StreamIn<spec::Stamp> {
+// What the unit gets from traversal, made of a stamp: the tile that it lies in.
+class Tiled {
  public:
-  explicit StampSource(sc_core::sc_module_name name) : sc_module(name) {}
-  void begin(std::vector<spec::Stamp> stamps, const tb::Stalls& stalls) {
-    stamps_ = std::move(stamps);
-    stalls_ = stalls;
-    next_ = 0;
-    accepted_.clear();
-    begun_.notify(sc_core::SC_ZERO_TIME);
+  explicit Tiled(const spec::Contract& contract) : design_(contract.design), cover_(contract) {}
+
+  timing::StampToken operator()(const spec::Stamp& stamp) {
+    const int x_log2 = design_.tile_log2 - design_.stamp_width_log2;
+    const int y_log2 = design_.tile_log2 - design_.stamp_height_log2;
+    stamp_ = stamp;
+    prim_.id = stamp.id;
+    cover_.x = stamp.x >> x_log2;
+    cover_.y = stamp.y >> y_log2;
+    tile_ = {&prim_, &cover_, &stamp_};
+    const int place = (stamp.y - (cover_.y << y_log2)) << x_log2 | (stamp.x - (cover_.x << x_log2));
+    return {&tile_, 0, place};
   }
-  const spec::Stamp& front(Cycle* visible) override {
-    while (next_ == stamps_.size()) sc_core::wait(begun_);
-    *visible = accepted_.empty() ? 0 : static_cast<Cycle>(accepted_.back()) + 1;
-    while (stalls_(tb::Port::kInput, static_cast<uint64_t>(*visible))) ++*visible;
-    return stamps_[next_];
-  }
-  void pop(Cycle cycle) override {
-    accepted_.push_back(static_cast<uint64_t>(cycle));
-    ++next_;
-  }
-  const std::vector<uint64_t>& accepted() const { return accepted_; }
 
  private:
-  std::vector<spec::Stamp> stamps_;
-  tb::Stalls stalls_;
-  size_t next_ = 0;
-  std::vector<uint64_t> accepted_;
-  sc_core::sc_event begun_;
+  spec::Design design_;
+  core::TileCover cover_;
+  spec::SetupPrim prim_;
+  spec::Stamp stamp_;
+  timing::TileToken tile_;
 };
 
 class Unit {
  public:
   explicit Unit(const spec::Contract& contract)
-      : unit_("unit", contract), source_("source"), memory_("memory", contract) {
-    unit_.stamp_i(source_);
-    if (contract.design.depth_test) unit_.depth_io(memory_);
-    unit_.color_wr_o(memory_);
+      : contract_(contract),
+        unit_("unit", contract),
+        ports_("ports", contract),
+        memory_("memory", contract, memory::make_timing(memory::Kind::kIdeal, contract, 1)) {
+    if (contract.design.depth_test) {
+      unit_.depth_io(ports_);
+      ports_.depth.socket.bind(memory_.depth_socket);
+    }
+    unit_.color_wr_o(ports_);
+    ports_.color.socket.bind(memory_.color_socket);
+    sc_core::sc_start(sc_core::SC_ZERO_TIME);
   }
 
   void run(const spec::FrameState& state, const std::vector<spec::Stamp>& stamps,
            const tb::BenchOptions& options, timing::Listener* listener) {
     const tb::Stalls stalls(options.stall_mode, options.seed);
-    memory_.set_latency_cycles(options.depth_latency_cycles);
+    memory_.set_timing(
+        memory::make_timing(memory::Kind::kIdeal, contract_, options.depth_latency_cycles));
     memory_.set_ready([stalls](timing::ExternalPort port, Cycle cycle) {
-      const tb::Port ports[] = {tb::Port::kTriangle, tb::Port::kClear, tb::Port::kDepthRead,
-                                tb::Port::kDepthWrite, tb::Port::kColorWrite};
-      return !stalls(ports[static_cast<int>(port)], static_cast<uint64_t>(cycle));
+      return !stalls(port, static_cast<uint64_t>(cycle));
     });
     memory_.begin_frame(state);
-    frame_ = {state, listener, {}};
+    ports_.begin_frame(state);
+    frame_ = {};
+    frame_.state = state;
+    frame_.listener = listener;
+    frame_.tokens = true;
     unit_.begin_frame(&frame_);
-    source_.begin(stamps, stalls);
-    sc_core::sc_start();
+    // The next stamp is offered in the first cycle after the last one was taken in which the input
+    // does not stall.
+    accepted_.clear();
+    Cycle offered = 0;
+    for (const spec::Stamp& stamp : stamps) {
+      while (stalls(tb::Port::kInput, static_cast<uint64_t>(offered))) ++offered;
+      accepted_.push_back(static_cast<uint64_t>(unit_.take(tiled_(stamp), offered)));
+      offered = static_cast<Cycle>(accepted_.back()) + 1;
+    }
+    unit_.drain();
   }
-  const std::vector<uint64_t>& accepted() const { return source_.accepted(); }
+  const std::vector<uint64_t>& accepted() const { return accepted_; }
   const core::FrameCounters& counters() const { return frame_.counters; }
 
  private:
+  spec::Contract contract_;
   timing::InterpZtestUnit unit_;
-  StampSource source_;
-  timing::IdealMemory memory_;
+  Tiled tiled_{contract_};
+  std::vector<uint64_t> accepted_;
+  timing::MemoryPorts ports_;
+  timing::FrameMemory memory_;
   timing::Frame frame_;
 };
 

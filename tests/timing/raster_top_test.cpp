@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <numeric>
 #include <stdexcept>
 
 #include "tests/timing/support.h"
@@ -43,7 +44,7 @@ TEST_F(RasterTopTiming, OneStampTakesThirtyNineCycles) {
   EXPECT_EQ(cycles_of(record_.depths), Cycles{37});
   EXPECT_EQ(cycles_of(record_.colors), Cycles{38});
   EXPECT_EQ(result.cycles, 39);
-  EXPECT_EQ(result.drained_cycles, 39);
+  EXPECT_EQ(result.spent.drained, 39);
 }
 
 TEST_F(RasterTopTiming, EachCycleOfLatencyCostsOne) {
@@ -58,14 +59,14 @@ TEST_F(RasterTopTiming, DepthOffDoesNotWaitForTheMemory) {
   const auto result = run({{2, 2, spec::Cull::kNone, spec::DepthFunc::kOff}, {cover(), cover()}});
   EXPECT_EQ(cycles_of(record_.colors), (Cycles{31, 43}));
   EXPECT_TRUE(record_.depths.empty());
-  EXPECT_EQ(result.interp_ztest.hazard, 0);
+  EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kHazard], 0);
 }
 
 TEST_F(RasterTopTiming, FrameWithoutWritesLastsToItsClear) {
   EXPECT_EQ(run({{2, 2}, {}}).cycles, 2);
   const auto dropped = run({{2, 2}, {flat_triangle(0, 0, 1, 1, 2, 2)}});
   EXPECT_EQ(dropped.cycles, 2);
-  EXPECT_EQ(dropped.drained_cycles, 7);
+  EXPECT_EQ(dropped.spent.drained, 7);
 }
 
 // The second stamp of the same address is there in 39. The first one's read is accepted in 27, its
@@ -74,7 +75,7 @@ TEST_F(RasterTopTiming, StampOfAnAddressInFlightWaitsForItsWrite) {
   top_.set_depth_latency_cycles(64);
   const auto result = run({{2, 2}, {cover(1000), cover(999)}});
   EXPECT_EQ(cycles_of(record_.depths), (Cycles{93, 160}));
-  EXPECT_EQ(result.interp_ztest.hazard, 94 - 39);
+  EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kHazard], 94 - 39);
 }
 
 // An address whose stamp fails the test is in flight as long as if it had been written.
@@ -90,9 +91,9 @@ TEST_F(RasterTopTiming, StampEveryCycleAtTheLongestLatency) {
   const auto result = run({{64, 64}, {cover()}});
   ASSERT_EQ(record_.colors.size(), 1024u);
   for (size_t i = 0; i < 1024; ++i) ASSERT_EQ(record_.colors[i].cycle, 94 + i);
-  EXPECT_EQ(result.stamps.busy, 1024);
-  EXPECT_EQ(result.interp_ztest.busy, 1024);
-  EXPECT_EQ(result.interp_ztest.blocked, 0);
+  EXPECT_EQ(result.of(Unit::kStamps)[Cause::kBusy], 1024);
+  EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kBusy], 1024);
+  EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kBlocked], 0);
 }
 
 // Reads are accepted in 27 .. 98, then the table holds 72 stamps until the first write in 500.
@@ -102,7 +103,7 @@ TEST_F(RasterTopTiming, FullTableBlocksUntilTheOldestStampIsWritten) {
   });
   const auto result = run({{64, 64}, {cover()}});
   EXPECT_EQ(record_.depths.front().cycle, 500u);
-  EXPECT_EQ(result.interp_ztest.blocked, 501 - 99);
+  EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kBlocked], 501 - 99);
   // The 73rd read is accepted in 501, in time for its write in 572: the writes do not pause.
   EXPECT_EQ(record_.depths.back().cycle, 500u + 1023);
 }
@@ -165,16 +166,20 @@ TEST_P(RasterTopScenes, CausesOfEachUnitAddUpToTheFrame) {
       return (cycle + static_cast<Cycle>(port)) % 3 != static_cast<Cycle>(seed % 3);
     });
     const auto result = run(random_scene(GetParam(), 2000 + seed, 30));
-    for (const auto& unit : {result.setup, result.tiles, result.stamps, result.interp_ztest}) {
-      ASSERT_EQ(unit.total(), result.drained_cycles);
-      ASSERT_GE(std::min({unit.busy, unit.starved, unit.blocked, unit.hazard}), 0);
+    for (const auto& unit : result.spent.units) {
+      ASSERT_EQ(unit.total(), result.spent.drained);
+      ASSERT_GE(*std::min_element(unit.spent.begin(), unit.spent.end()), 0);
+    }
+    for (const auto& levels : result.spent.levels) {
+      ASSERT_EQ(std::accumulate(levels.begin(), levels.end(), Cycle{0}), result.spent.drained);
     }
     const core::FrameCounters& n = result.counters;
     const auto sent = static_cast<Cycle>(n.dropped[0]);
-    ASSERT_EQ(result.setup.busy, 12 * sent + 5 * (static_cast<Cycle>(n.triangles) - sent));
-    ASSERT_EQ(result.tiles.busy, static_cast<Cycle>(n.tiles_tested));
-    ASSERT_EQ(result.interp_ztest.busy, static_cast<Cycle>(n.stamps));
-    ASSERT_GE(result.drained_cycles, result.cycles);
+    ASSERT_EQ(result.of(Unit::kSetup)[Cause::kBusy],
+              12 * sent + 5 * (static_cast<Cycle>(n.triangles) - sent));
+    ASSERT_EQ(result.of(Unit::kTiles)[Cause::kBusy], static_cast<Cycle>(n.tiles_tested));
+    ASSERT_EQ(result.of(Unit::kInterpZtest)[Cause::kBusy], static_cast<Cycle>(n.stamps));
+    ASSERT_GE(result.spent.drained, result.cycles);
   }
 }
 
@@ -187,7 +192,8 @@ TEST_P(RasterTopScenes, FrameDoesNotDependOnTheFramesBefore) {
   EXPECT_EQ(difference(expected, record_, true), "");
   EXPECT_EQ(first.cycles, again.cycles);
   EXPECT_EQ(first.counters.passed, again.counters.passed);
-  EXPECT_EQ(first.interp_ztest.hazard, again.interp_ztest.hazard);
+  EXPECT_EQ(first.of(Unit::kInterpZtest)[Cause::kHazard],
+            again.of(Unit::kInterpZtest)[Cause::kHazard]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, RasterTopScenes, testing::ValuesIn(kKinds),
@@ -237,8 +243,6 @@ TEST(Unbound, EveryUnitSaysWhichPort) {
       {
         report_on_stderr();
         timing::SetupUnit unit("unit", kContract);
-        timing::TriangleSource source("source");
-        unit.tri_i(source);
         sc_core::sc_start();
       },
       "pineda/setup/unbound: unit.prim_o");
@@ -248,16 +252,21 @@ TEST(Unbound, EveryUnitSaysWhichPort) {
         timing::TraversalUnit unit("unit", kContract);
         sc_core::sc_start();
       },
-      "pineda/traversal/unbound: unit.prim_i");
+      "pineda/traversal/unbound: unit.stamp_o");
   EXPECT_DEATH(
       {
         report_on_stderr();
         timing::InterpZtestUnit unit("unit", kContract);
-        timing::TimedFifo<spec::Stamp> stamps("stamps", 4);
-        unit.stamp_i(stamps);
         sc_core::sc_start();
       },
       "pineda/interp_ztest/unbound: unit.depth_io");
+  EXPECT_DEATH(
+      {
+        report_on_stderr();
+        timing::StampFifo fifo("fifo", 4);
+        sc_core::sc_start();
+      },
+      "pineda/fifo/unbound: fifo.out_o");
 }
 
 }  // namespace

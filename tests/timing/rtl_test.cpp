@@ -1,8 +1,12 @@
 // The cycles of the model are those of the Verilated RTL, token by token, at every unit boundary.
 #include <gtest/gtest.h>
 
+#include <map>
+#include <numeric>
+
 #include "model/scene/scene.h"
 #include "model/spec/design_file.h"
+#include "model/timing/counter_list.h"
 #include "tb/frame_bench.h"
 #include "tests/timing/support.h"
 
@@ -14,11 +18,32 @@ using BenchRecorder = Recorder<tb::Listener, uint64_t>;
 // The stalls of the benches, as the model takes them.
 timing::Ready ready_of(const tb::Stalls& stalls) {
   return [stalls](timing::ExternalPort port, Cycle cycle) {
-    static constexpr tb::Port kPorts[] = {tb::Port::kTriangle, tb::Port::kClear,
-                                          tb::Port::kDepthRead, tb::Port::kDepthWrite,
-                                          tb::Port::kColorWrite};
-    return !stalls(kPorts[static_cast<int>(port)], static_cast<uint64_t>(cycle));
+    return !stalls(port, static_cast<uint64_t>(cycle));
   };
+}
+
+// Each unit's causes and each FIFO's levels add up to the frame.
+bool adds_up(const timing::CycleCounters& spent) {
+  bool all = true;
+  for (const auto& unit : spent.units) all = all && unit.total() == spent.drained;
+  for (const auto& levels : spent.levels) {
+    all = all && std::accumulate(levels.begin(), levels.end(), Cycle{0}) == spent.drained;
+  }
+  return all;
+}
+
+// Every counter that differs; empty if none.
+std::string counters_that_differ(const spec::Contract& c, const timing::FrameResult& model,
+                                 const tb::FrameResult& rtl) {
+  std::string text;
+  for (const auto& d :
+       timing::counter_differences(timing::counter_list(c, model.spent, model.counters),
+                                   timing::counter_list(c, rtl.spent, rtl.counters))) {
+    text +=
+        d.name + ": expected " + std::to_string(d.rtl) + ", got " + std::to_string(d.model) + "; ";
+  }
+  if (!adds_up(rtl.spent)) text += "the cycles of the RTL do not add up";
+  return text;
 }
 
 // The first difference between RTL and model on a scene, each as after a reset; empty if none. The
@@ -42,11 +67,15 @@ class Comparison {
     const auto model = top_.run(scene.frame, pull_from(scene), &model_recorder);
     stamps_ += expected.stamps.size();
     hidden_ += model.counters.tiles_hidden;
+    for (const auto& [name, count] : timing::counter_list(contract_, rtl.spent, rtl.counters)) {
+      counted_[name] += count;
+    }
     same_frame_ = same_frame_ && bench.buffer().depth == top_.buffer().depth &&
                   bench.buffer().color == top_.buffer().color;
     last_ = top_.buffer();
     if (const auto text = difference(expected, got, true, contract_); !text.empty()) return text;
-    if (rtl.cycles == static_cast<uint64_t>(model.cycles)) return {};
+    if (rtl.cycles == static_cast<uint64_t>(model.cycles))
+      return counters_that_differ(contract_, model, rtl);
     return "frame: expected " + std::to_string(rtl.cycles) + " cycles, got " +
            std::to_string(model.cycles);
   }
@@ -55,6 +84,8 @@ class Comparison {
   }
   size_t stamps() const { return stamps_; }
   uint64_t hidden() const { return hidden_; }
+  /// What the RTL counted in all runs together.
+  int64_t counted(const std::string& name) const { return counted_.at(name); }
   /// Whether RTL and model left the same frame each time; the last one.
   bool same_frame() const { return same_frame_; }
   const core::FrameBuffer& last() const { return last_; }
@@ -65,6 +96,7 @@ class Comparison {
   timing::RasterTop top_{"top", contract_};
   size_t stamps_ = 0;
   uint64_t hidden_ = 0;
+  std::map<std::string, int64_t> counted_;
   bool same_frame_ = true;
   core::FrameBuffer last_;
 };
@@ -125,13 +157,29 @@ TEST_P(RtlDesigns, EqualAtEveryLatencyUnderEveryStall) {
         options.depth_latency_cycles = latency;
         options.stall_mode = mode;
         options.seed = ++seed;
-        const Scene scene = random_scene(kind, seed, 20, contract);
+        Scene scene = random_scene(kind, seed, 20, contract);
+        scene.triangles[10].v[1] = scene.triangles[10].v[2];  // no area
         ASSERT_EQ(comparison.run(scene, options), "")
             << kind_name(kind) << ", latency " << latency << ", " << tb::stall_mode_name(mode);
       }
     }
   }
   EXPECT_GT(comparison.stamps(), 5000u);
+  // Counters that agree because nothing happened would show nothing.
+  for (const char* name :
+       {"dropped.zero_area", "dropped.facing", "dropped.no_sample", "dropped.outside",
+        "setup.blocked", "tiles.blocked", "stamps.blocked", "interp_ztest.starved",
+        "tiles_rejected", "tiles_accepted", "prims.level_2", "color_write.stalls"}) {
+    EXPECT_GT(comparison.counted(name), 0) << name;
+  }
+  if (!contract.design.depth_test) return;
+  for (const char* name :
+       {"interp_ztest.memory", "depth_read.stalls", "depth_write.stalls", "samples_failed"}) {
+    EXPECT_GT(comparison.counted(name), 0) << name;
+  }
+  // Serial setup sends the next triangle long after the writes of the last.
+  const bool close = contract.design.setup_style != spec::SetupStyle::kSerial;
+  EXPECT_EQ(comparison.counted("interp_ztest.hazard") > 0, close);
 }
 
 // The end of a frame is taken in the cycle in which the model says that the pipeline has drained,
@@ -151,7 +199,8 @@ TEST(RtlFrames, DrainedCyclesPlaceTheNextFrame) {
     const auto model = top.run(scene.frame, pull_from(scene), &model_recorder);
     ASSERT_EQ(difference(expected, got, true), "") << "seed " << seed;
     ASSERT_EQ(rtl.cycles, static_cast<uint64_t>(model.cycles)) << "seed " << seed;
-    start += static_cast<uint64_t>(model.drained_cycles) + 1;
+    ASSERT_EQ(counters_that_differ(kContract, model, rtl), "") << "seed " << seed;
+    start += static_cast<uint64_t>(model.spent.drained) + 1;
   }
 }
 
@@ -161,6 +210,27 @@ TEST(RtlLatency, OneCycleLessInTheModelIsNoticed) {
   options.depth_latency_cycles = 9;
   const Scene scene = random_scene(Kind::kMedium, 3, 20);
   EXPECT_NE(comparison.run(scene, options, 8), "");
+}
+
+// The mutant of the RTL counts a stamp walker that waits as busy, and its other faults do not show
+// on this scene: the two counters that are wrong are named, and no other.
+TEST(RtlCountersMutant, BlockedCountedAsBusyIsNoticed) {
+  const tb::RtlLibrary library(kContract, PINEDA_RTL_MUTANT);
+  tb::BenchOptions options;
+  options.stall_mode = tb::StallMode::kSink;
+  tb::FrameBench bench(library, options);
+  timing::RasterTop top("top", kContract);
+  top.set_ready(ready_of({options.stall_mode, options.seed}));
+  const Scene scene = random_scene(Kind::kMedium, 3, 20);
+  const auto rtl = bench.run(scene.frame, pull_from(scene), nullptr);
+  const auto model = top.run(scene.frame, pull_from(scene));
+  const auto differences =
+      timing::counter_differences(timing::counter_list(kContract, model.spent, model.counters),
+                                  timing::counter_list(kContract, rtl.spent, rtl.counters));
+  ASSERT_EQ(differences.size(), 2u) << counters_that_differ(kContract, model, rtl);
+  EXPECT_EQ(differences[0].name, "stamps.busy");
+  EXPECT_EQ(differences[1].name, "stamps.blocked");
+  EXPECT_EQ(differences[1].rtl, 0);
 }
 
 // The same design but for a division of two bits a cycle: other cycles, the same bits.

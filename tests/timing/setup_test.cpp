@@ -10,22 +10,12 @@ namespace {
 using Cycles = std::vector<Cycle>;
 
 // Offers triangle i from cycles[i] on.
-class Source final : public timing::StreamIn<spec::Triangle> {
- public:
+struct Source {
   Source(std::vector<spec::Triangle> tokens, Cycles cycles)
       : triangles(std::move(tokens)), offers(std::move(cycles)) {}
-  const spec::Triangle& front(Cycle* visible) override {
-    while (taken.size() == triangles.size()) sc_core::wait(never_);
-    *visible = offers[taken.size()];
-    return triangles[taken.size()];
-  }
-  void pop(Cycle cycle) override { taken.push_back(cycle); }
 
   std::vector<spec::Triangle> triangles;
   Cycles offers, taken;
-
- private:
-  sc_core::sc_event never_;
 };
 
 // Takes token i from takes[i] on.
@@ -43,16 +33,18 @@ class Sink final : public timing::StreamOut<spec::SetupPrim> {
 class SetupTiming : public testing::Test {
  protected:
   void run(Source* source, Sink* sink) {
-    setup_.tri_i(*source);
+    frame_.state.width = frame_.state.height = 16;
     setup_.prim_o(*sink);
+    sc_core::sc_start(sc_core::SC_ZERO_TIME);
     setup_.begin_frame(&frame_);
-    sc_core::sc_start();
+    for (size_t i = 0; i < source->triangles.size(); ++i) {
+      source->taken.push_back(setup_.take(source->triangles[i], source->offers[i]));
+    }
   }
 
   const spec::Triangle good_ = flat_triangle(0, 0, 8, 0, 0, 8);
   const spec::Triangle bad_ = flat_triangle(0, 0, 4, 4, 8, 8);  // zero area
-  timing::Listener listener_;
-  timing::Frame frame_{{16, 16, spec::Cull::kNone, spec::DepthFunc::kLess}, &listener_, {}};
+  timing::Frame frame_;
   timing::SetupUnit setup_{"setup", kContract};
 };
 
@@ -64,9 +56,9 @@ TEST_F(SetupTiming, TriangleEveryIntervalAndDroppedOnesEveryFive) {
   EXPECT_EQ(sink.offered, (Cycles{21, 33, 69}));
   EXPECT_EQ(setup_.idle_from(), 70);
   const auto cycles = setup_.cycles(70);
-  EXPECT_EQ(cycles.busy, 3 * 12 + 2 * 5);
-  EXPECT_EQ(cycles.blocked, 0);
-  EXPECT_EQ(cycles.starved, 2 + 14 + 8);
+  EXPECT_EQ(cycles[Cause::kBusy], 3 * 12 + 2 * 5);
+  EXPECT_EQ(cycles[Cause::kBlocked], 0);
+  EXPECT_EQ(cycles[Cause::kStarved], 2 + 14 + 8);
 }
 
 // The first output waits from 21 to 30: 9 cycles. The second triangle came before, the third is
@@ -77,7 +69,7 @@ TEST_F(SetupTiming, OutputNotTakenFreezesTheWholeUnit) {
   run(&source, &sink);
   EXPECT_EQ(source.taken, (Cycles{2, 14, 35}));
   EXPECT_EQ(sink.offered, (Cycles{21, 42, 54}));
-  EXPECT_EQ(setup_.cycles(55).blocked, 9);
+  EXPECT_EQ(setup_.cycles(55)[Cause::kBlocked], 9);
 }
 
 TEST_F(SetupTiming, TriangleThatComesDuringAFreezeIsTakenAsItEnds) {
@@ -110,8 +102,8 @@ TEST_F(SetupTiming, FreezesAddUp) {
   run(&source, &sink);
   EXPECT_EQ(source.taken, (Cycles{2, 14, 100, 112}));
   EXPECT_EQ(sink.offered, (Cycles{21, 42, 119, 131}));
-  EXPECT_EQ(setup_.cycles(132).blocked, 9 + 8);
-  EXPECT_EQ(setup_.cycles(132).busy, 48);
+  EXPECT_EQ(setup_.cycles(132)[Cause::kBlocked], 9 + 8);
+  EXPECT_EQ(setup_.cycles(132)[Cause::kBusy], 48);
 }
 
 }  // namespace

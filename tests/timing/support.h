@@ -10,7 +10,9 @@
 
 namespace pineda::test {
 
+using timing::Cause;
 using timing::Cycle;
+using timing::Unit;
 
 inline constexpr spec::Contract kContract = spec::contract(spec::kHighTile);
 inline constexpr int kPx = 1 << spec::kHighTile.subpixel_bits;  // subpixels of a pixel

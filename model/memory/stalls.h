@@ -1,11 +1,12 @@
-// Back-pressure and gaps at the ports: a pure function of (seed, port, cycle), so that the RTL and
-// the model can be given the same.
+// Back-pressure and gaps at the ports: a pure function of (seed, port, cycle), the same for the RTL
+// and the model.
 #pragma once
 
 #include <cstdint>
-#include <string>
 
-namespace pineda::tb {
+#include "model/memory/port.h"
+
+namespace pineda::memory {
 
 /// Who stalls: nobody, the producers that feed the design, the consumers behind it, or both.
 enum class StallMode { kNone, kSource, kSink, kBoth };
@@ -30,11 +31,18 @@ enum class Port : uint8_t {
   kColorWrite,
 };
 
+/// The same port among all that can stall.
+constexpr Port stalling(MemoryPort port) {
+  return static_cast<Port>(static_cast<int>(Port::kDepthRead) + static_cast<int>(port));
+}
+
 class Stalls {
  public:
   Stalls() = default;
   Stalls(StallMode mode, uint64_t seed) : mode_(mode), seed_(seed) {}
 
+  /// Does anybody ever stall?
+  bool any() const { return mode_ != StallMode::kNone; }
   /// Does this port stand still in this cycle? Every 32 cycles a port draws how busy it is: never,
   /// one cycle in four, in two, or seven in eight.
   bool operator()(Port port, uint64_t cycle) const {
@@ -61,4 +69,4 @@ class Stalls {
   uint64_t seed_ = 0;
 };
 
-}  // namespace pineda::tb
+}  // namespace pineda::memory

@@ -1,0 +1,41 @@
+// A file that will be written only once the work is done, or as it goes on.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pineda::cli {
+
+/// A place for a file, held under a temporary name: so that it is known before the work, not after
+/// it, that the file can be written. Unless it is kept nothing is left behind, and an older file of
+/// that name stays as it was.
+///
+/// Errors   scene::InputError in one line.
+class ReservedFile {
+ public:
+  explicit ReservedFile(const std::string& path);
+  ~ReservedFile();
+  ReservedFile(const ReservedFile&) = delete;
+  ReservedFile& operator=(const ReservedFile&) = delete;
+
+  const std::string& path() const { return path_; }
+  /// Where it is until it is kept, and open for writing.
+  const std::string& temporary() const { return temporary_; }
+  std::FILE* file() const { return file_; }
+
+  /// Closes it and puts it in its place; `written`: all of it got through so far.
+  void keep(bool written);
+
+ private:
+  void make_folders(const std::filesystem::path& folder);
+
+  std::string path_;
+  std::filesystem::path place_;  // where a link leads
+  std::string temporary_;
+  std::FILE* file_ = nullptr;
+  std::vector<std::filesystem::path> made_;  // folders, the inner ones last
+};
+
+}  // namespace pineda::cli

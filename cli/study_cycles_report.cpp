@@ -1,0 +1,97 @@
+#include "cli/study_cycles_report.h"
+
+#include <cmath>
+
+namespace pineda::cli {
+namespace {
+
+std::string speed_text(double speed) { return speed > 0 ? fmt::format("{:.2f}", speed) : "-"; }
+std::string ratio_text(double model, double rtl) {
+  return model > 0 && rtl > 0 ? fmt::format("{:.1f}", model / rtl) : "-";
+}
+
+}  // namespace
+
+void print_columns(const Output& output) {
+  output.line(
+      "{:<14}{:>10}{:>12}{:>12}{:>9} {:>7}{:>5}{:>6}{:>9}  {:>6} {:<13}{:>8}{:>8}{:>8}{:>8}", "",
+      "", "cycles", "", "error", "retire", "", "", "", "RTL", "", "model", "", "ratio", "");
+  output.line(
+      "{:<14}{:>10}{:>12}{:>12}{:>9} {:>7}{:>5}{:>6}{:>9}  {:>6} {:<13}{:>8}{:>8}{:>8}{:>8}",
+      "scene", "triangles", "model", "RTL", "%", "off", "p99", "max", "triangle", "Mc/s", "by",
+      "time", "bits", "time", "bits");
+}
+
+void print_row(const Output& output, const CycleRow& r) {
+  const auto& retire = r.point.retire;
+  const auto* fastest = r.point.fastest();
+  output.line(
+      "{:<14}{:>10}{:>12}{:>12}{:>9.4f} {:>7}{:>5}{:>6}{:>9}  {:>6} {:<13}{:>8}{:>8}{:>8}{:>8}",
+      r.scene, grouped(r.triangles), grouped(static_cast<uint64_t>(r.point.model_cycles)),
+      grouped(static_cast<uint64_t>(r.point.rtl_cycles)), 100 * r.point.error(), retire.off,
+      retire.p99, retire.max, retire.off > 0 ? fmt::format("{}", retire.worst) : "-",
+      speed_text(r.rtl_speed()), fastest != nullptr ? fastest->compiler.data() : "-",
+      speed_text(r.time_speed()), speed_text(r.bits_speed()),
+      ratio_text(r.time_speed(), r.rtl_speed()), ratio_text(r.bits_speed(), r.rtl_speed()));
+}
+
+Json row_json(const CycleRow& r) {
+  const auto& p = r.point;
+  Json json{{"scene", r.scene},
+            {"width", r.size.width},
+            {"height", r.size.height},
+            {"design", r.design},
+            {"depth_latency_cycles", r.latency_cycles},
+            {"stall", r.stall},
+            {"triangles", r.triangles},
+            {"model_cycles", p.model_cycles},
+            {"rtl_cycles", p.rtl_cycles},
+            {"error", p.error()},
+            {"same_frame", p.same_frame},
+            {"retire",
+             {{"triangles", p.retire.triangles},
+              {"off", p.retire.off},
+              {"p99_cycles", p.retire.p99},
+              {"max_cycles", p.retire.max},
+              {"worst_triangle", p.retire.worst}}}};
+  for (size_t i = 0; i < p.compilers; ++i) {
+    json["rtl_seconds"][p.rtl[i].compiler.data()] = p.rtl[i].seconds;
+  }
+  if (const auto* fastest = p.fastest(); fastest != nullptr) {
+    json["compiler"] = fastest->compiler.data();
+    json["speed"] = {{"rtl", r.rtl_speed()}, {"time", r.time_speed()}, {"bits", r.bits_speed()}};
+    json["ratio"] = {{"time", r.time_speed() / r.rtl_speed()},
+                     {"bits", r.bits_speed() / r.rtl_speed()}};
+  }
+  return json;
+}
+
+CycleMeans means_of(const std::vector<CycleRow>& rows) {
+  double rtl = 0, time = 0, bits = 0;
+  int count = 0;
+  for (const CycleRow& r : rows) {
+    if (r.rtl_speed() <= 0) continue;
+    rtl += std::log(r.rtl_speed());
+    time += std::log(r.time_speed());
+    bits += std::log(r.bits_speed());
+    ++count;
+  }
+  if (count == 0) return {};
+  return {std::exp(rtl / count), std::exp(time / count), std::exp(bits / count)};
+}
+
+void print_means(const Output& output, const CycleMeans& means) {
+  output.line("Geometric means: RTL {}, model {} (time), {} (bits): ratio {}, {}",
+              speed_text(means.rtl), speed_text(means.time), speed_text(means.bits),
+              ratio_text(means.time, means.rtl), ratio_text(means.bits, means.rtl));
+}
+
+Json means_json(const CycleMeans& means) {
+  return {{"rtl", means.rtl},
+          {"time", means.time},
+          {"bits", means.bits},
+          {"ratio_time", means.time / means.rtl},
+          {"ratio_bits", means.bits / means.rtl}};
+}
+
+}  // namespace pineda::cli

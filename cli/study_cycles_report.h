@@ -1,0 +1,43 @@
+// What pineda study cycles prints of its rows.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/output.h"
+#include "studies/compare_cycles.h"
+
+namespace pineda::cli {
+
+/// A row of the table.
+struct CycleRow {
+  std::string scene, design, stall;
+  int latency_cycles = 0;
+  scene::Size size;
+  uint64_t triangles = 0;
+  studies::CyclePoint point;
+
+  double rtl_speed() const { return speed(point.fastest() ? point.fastest()->seconds : 0); }
+  double time_speed() const { return speed(point.time_seconds); }
+  double bits_speed() const { return speed(point.bits_seconds); }
+  /// M cycles/s; 0: not measured.
+  double speed(double seconds) const {
+    return seconds > 0 ? 1e-6 * static_cast<double>(point.rtl_cycles) / seconds : 0;
+  }
+};
+
+void print_columns(const Output& output);
+void print_row(const Output& output, const CycleRow& row);
+Json row_json(const CycleRow& row);
+
+/// Geometric means of the rows whose speed was measured, M cycles/s; 0: of none.
+struct CycleMeans {
+  double rtl = 0;
+  double time = 0;
+  double bits = 0;
+};
+CycleMeans means_of(const std::vector<CycleRow>& rows);
+void print_means(const Output& output, const CycleMeans& means);
+Json means_json(const CycleMeans& means);
+
+}  // namespace pineda::cli

@@ -1,0 +1,65 @@
+// The tags of a set-associative cache whose lines are tiles of the frame.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "model/memory/dram_channel.h"
+
+namespace pineda::memory {
+
+class TileCache {
+ public:
+  struct Line {
+    int column = -1, row = -1;  // of the tile; none at first
+    bool dirty = false;
+    Cycle filled = 0;  // there from this cycle on
+    uint64_t used = 0;
+  };
+
+  explicit TileCache(const DramParameters& p)
+      : columns_log2_(p.set_columns_log2), rows_log2_(p.set_rows_log2), ways_(p.ways) {
+    reset();
+  }
+
+  void reset() {
+    lines_.assign(static_cast<size_t>(ways_) << (columns_log2_ + rows_log2_), Line{});
+    uses_ = 0;
+  }
+
+  /// The line that holds a tile, now the last one used; nullptr if none.
+  Line* find(int column, int row) {
+    Line* const first = set(column, row);
+    Line* const line = std::find_if(
+        first, first + ways_, [&](const Line& l) { return l.column == column && l.row == row; });
+    if (line == first + ways_) return nullptr;
+    line->used = ++uses_;
+    return line;
+  }
+
+  /// The line that a tile is to replace: the least recently used one of its set that is not being
+  /// filled itself. It is the last one used now.
+  Line* victim(Cycle cycle, int column, int row) {
+    Line* const first = set(column, row);
+    Line* const line = std::min_element(first, first + ways_, [&](const Line& a, const Line& b) {
+      return std::tuple(a.filled > cycle, a.used) < std::tuple(b.filled > cycle, b.used);
+    });
+    line->used = ++uses_;
+    return line;
+  }
+
+ private:
+  Line* set(int column, int row) {
+    const int x = column & ((1 << columns_log2_) - 1);
+    const int y = row & ((1 << rows_log2_) - 1);
+    return &lines_[static_cast<size_t>(y << columns_log2_ | x) * static_cast<size_t>(ways_)];
+  }
+
+  int columns_log2_, rows_log2_, ways_;
+  std::vector<Line> lines_;  // set by set
+  uint64_t uses_ = 0;
+};
+
+}  // namespace pineda::memory

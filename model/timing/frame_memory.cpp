@@ -1,0 +1,206 @@
+#include "model/timing/frame_memory.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace pineda::timing {
+
+using memory::MemoryPort;
+
+namespace {
+
+// Moves the payload's enabled bytes from or to the memory.
+void move_bytes(const tlm::tlm_generic_payload& payload, unsigned char* memory_bytes) {
+  unsigned char* const data = payload.get_data_ptr();
+  const unsigned length = payload.get_data_length();
+  const unsigned char* const enables = payload.get_byte_enable_ptr();
+  const unsigned period = payload.get_byte_enable_length();
+  for (unsigned i = 0; i < length; ++i) {
+    if (enables != nullptr && enables[i % period] != TLM_BYTE_ENABLED) continue;
+    if (payload.is_read()) data[i] = memory_bytes[i];
+    if (payload.is_write()) memory_bytes[i] = data[i];
+  }
+}
+
+}  // namespace
+
+FrameMemory::FrameMemory(sc_core::sc_module_name name, const spec::Contract& contract,
+                         std::shared_ptr<memory::MemoryTiming> timing,
+                         const sc_core::sc_time& period)
+    : sc_module(name),
+      contract_(contract),
+      timing_(std::move(timing)),
+      next_(timing_),
+      period_(period) {
+  depth_socket.register_b_transport(this, &FrameMemory::depth_transport);
+  depth_socket.register_get_direct_mem_ptr(this, &FrameMemory::depth_direct);
+  depth_socket.register_transport_dbg(this, &FrameMemory::depth_debug);
+  color_socket.register_b_transport(this, &FrameMemory::color_transport);
+  color_socket.register_get_direct_mem_ptr(this, &FrameMemory::color_direct);
+  color_socket.register_transport_dbg(this, &FrameMemory::color_debug);
+}
+
+void FrameMemory::begin_frame(const spec::FrameState& frame) {
+  if (granted_) {
+    if (depth_socket.size() > 0) depth_socket->invalidate_direct_mem_ptr(0, ~sc_dt::uint64{0});
+    if (color_socket.size() > 0) color_socket->invalidate_direct_mem_ptr(0, ~sc_dt::uint64{0});
+    granted_ = false;
+  }
+  timing_ = next_;
+  timing_->begin_frame(frame);
+  frame_ = frame;
+  begun_ = sc_core::sc_time_stamp();
+  depth_.layout = {contract_, frame, memory::kDepthBytes};
+  color_.layout = {contract_, frame, memory::color_bytes(contract_.design)};
+  color_.bytes.assign(color_.layout.bytes(), 0);
+  depth_.bytes.resize(depth_.layout.bytes());
+  const uint32_t cleared = core::cleared_depth(contract_.design);
+  for (size_t i = 0; i < depth_.bytes.size(); ++i) {
+    depth_.bytes[i] = static_cast<unsigned char>(cleared >> (8 * (i % memory::kDepthBytes)));
+  }
+}
+
+core::FrameBuffer FrameMemory::buffer() const {
+  core::FrameBuffer buffer(contract_, frame_);
+  const auto channels = static_cast<size_t>(buffer.channels);
+  const size_t bytes = contract_.design.attribute_bits > 8 ? 2 : 1;
+  const int w_log2 = contract_.design.stamp_width_log2;
+  const int h_log2 = contract_.design.stamp_height_log2;
+  for (int y = 0; y < frame_.height; ++y) {
+    for (int x = 0; x < frame_.width; ++x) {
+      const int lane = (y & ((1 << h_log2) - 1)) << w_log2 | (x & ((1 << w_log2) - 1));
+      const auto at = [&](const Side& side) {
+        return side.bytes.data() + side.layout.offset(x >> w_log2, y >> h_log2) +
+               static_cast<size_t>(lane * side.layout.sample_bytes);
+      };
+      const size_t sample =
+          static_cast<size_t>(y) * static_cast<size_t>(frame_.width) + static_cast<size_t>(x);
+      const unsigned char* const z = at(depth_);
+      buffer.depth[sample] =
+          uint32_t{z[0]} | uint32_t{z[1]} << 8 | uint32_t{z[2]} << 16 | uint32_t{z[3]} << 24;
+      for (size_t c = 0; c < channels; ++c) {
+        const unsigned char* const value = at(color_) + c * bytes;
+        buffer.color[sample * channels + c] =
+            static_cast<uint16_t>(value[0] | (bytes > 1 ? value[1] << 8 : 0));
+      }
+    }
+  }
+  return buffer;
+}
+
+Cycle FrameMemory::ready_from(MemoryPort port, Cycle from) const {
+  for (Cycle cycle = from;;) {
+    const Cycle taken = timing_->ready_from(port, cycle);
+    cycle = first_ready(ready_, memory::stalling(port), taken);
+    if (cycle == taken) return cycle;
+  }
+}
+
+MemoryPort FrameMemory::port_of(const Side& side, const tlm::tlm_generic_payload& payload) const {
+  return payload.is_read() && &side == &depth_ ? MemoryPort::kDepthRead : side.write_port;
+}
+
+Cycle FrameMemory::accept(const Side& side, const tlm::tlm_generic_payload& payload, Cycle cycle,
+                          uint64_t address) {
+  const auto stamp = static_cast<int>(address / static_cast<uint64_t>(side.layout.stamp_bytes));
+  const int columns = side.layout.columns;
+  const Cycle response =
+      timing_->accept(port_of(side, payload), cycle, stamp % columns, stamp / columns);
+  return payload.is_read() ? response : cycle;
+}
+
+void FrameMemory::transport(Side* side, tlm::tlm_generic_payload* payload,
+                            sc_core::sc_time* delay) {
+  payload->set_response_status(tlm::TLM_OK_RESPONSE);
+  if (!payload->is_read() && !payload->is_write()) return;
+  const uint64_t length = payload->get_data_length();
+  if (length == 0 || payload->get_address() >= side->bytes.size() ||
+      length > side->bytes.size() - payload->get_address()) {
+    payload->set_response_status(tlm::TLM_ADDRESS_ERROR_RESPONSE);
+    return;
+  }
+  if (payload->get_streaming_width() < length) {
+    payload->set_response_status(tlm::TLM_BURST_ERROR_RESPONSE);
+    return;
+  }
+  payload->set_dmi_allowed(is_transparent());
+  auto* const extension = payload->get_extension<HandshakeExtension>();
+  extension != nullptr ? handshake(side, payload, extension, delay) : access(side, payload, delay);
+}
+
+void FrameMemory::handshake(Side* side, tlm::tlm_generic_payload* payload,
+                            HandshakeExtension* extension, sc_core::sc_time* delay) {
+  const Cycle ready = ready_from(port_of(*side, *payload), extension->offered);
+  if (ready > extension->offered) {
+    extension->retry_from = ready;
+    return;
+  }
+  extension->accepted = ready;
+  move_bytes(*payload, side->bytes.data() + payload->get_address());
+  const Cycle end = accept(*side, *payload, ready, payload->get_address());
+  *delay += sc_core::sc_time::from_value(static_cast<uint64_t>(end - ready) * period_.value());
+}
+
+void FrameMemory::access(Side* side, tlm::tlm_generic_payload* payload, sc_core::sc_time* delay) {
+  move_bytes(*payload, side->bytes.data() + payload->get_address());
+  const sc_core::sc_time passed = sc_core::sc_time_stamp() + *delay - begun_;
+  auto cycle = static_cast<Cycle>((passed.value() + period_.value() - 1) / period_.value());
+  Cycle end = cycle;
+  const auto step = static_cast<uint64_t>(side->layout.stamp_bytes);
+  const uint64_t last = payload->get_address() + payload->get_data_length();
+  for (uint64_t at = payload->get_address() / step * step; at < last; at += step) {
+    cycle = ready_from(port_of(*side, *payload), cycle);
+    end = accept(*side, *payload, cycle, at);
+    ++cycle;
+  }
+  *delay = begun_ + sc_core::sc_time::from_value(static_cast<uint64_t>(end) * period_.value()) -
+           sc_core::sc_time_stamp();
+}
+
+bool FrameMemory::grant(Side* side, tlm::tlm_dmi* dmi) {
+  dmi->init();
+  dmi->set_end_address(side->bytes.size() - 1);
+  if (!is_transparent()) return false;
+  dmi->set_dmi_ptr(side->bytes.data());
+  dmi->allow_read_write();
+  dmi->set_read_latency(sc_core::sc_time::from_value(
+      static_cast<uint64_t>(timing_->fixed_latency()) * period_.value()));
+  granted_ = true;
+  return true;
+}
+
+namespace {
+
+unsigned debug(std::vector<unsigned char>* bytes, const tlm::tlm_generic_payload& payload) {
+  const uint64_t address = payload.get_address();
+  if (address >= bytes->size()) return 0;
+  const auto length =
+      static_cast<unsigned>(std::min<uint64_t>(payload.get_data_length(), bytes->size() - address));
+  unsigned char* const at = bytes->data() + address;
+  if (payload.is_read()) std::memcpy(payload.get_data_ptr(), at, length);
+  if (payload.is_write()) std::memcpy(at, payload.get_data_ptr(), length);
+  return length;
+}
+
+}  // namespace
+
+void FrameMemory::depth_transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay) {
+  transport(&depth_, &payload, &delay);
+}
+void FrameMemory::color_transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay) {
+  transport(&color_, &payload, &delay);
+}
+bool FrameMemory::depth_direct(tlm::tlm_generic_payload&, tlm::tlm_dmi& dmi) {
+  return grant(&depth_, &dmi);
+}
+bool FrameMemory::color_direct(tlm::tlm_generic_payload&, tlm::tlm_dmi& dmi) {
+  return grant(&color_, &dmi);
+}
+unsigned FrameMemory::depth_debug(tlm::tlm_generic_payload& payload) {
+  return debug(&depth_.bytes, payload);
+}
+unsigned FrameMemory::color_debug(tlm::tlm_generic_payload& payload) {
+  return debug(&color_.bytes, payload);
+}
+
+}  // namespace pineda::timing

@@ -1,0 +1,119 @@
+#include "model/timing/last_write.h"
+
+#include <algorithm>
+
+namespace pineda::timing {
+
+void LastWrite::begin_frame(const spec::FrameState& frame, core::FrameBuffer* buffer) {
+  frame_ = frame;
+  buffer_ = buffer;
+  const int log2 = contract_.design.tile_log2;
+  tile_columns_ = ((frame.width - 1) >> log2) + 1;
+  const int tile_rows = ((frame.height - 1) >> log2) + 1;
+  last_.assign(static_cast<size_t>(tile_columns_) * static_cast<size_t>(tile_rows), kNone);
+  cleared_.assign(last_.size(), false);
+  triangles_.clear();
+  runs_.clear();
+  irregular_.clear();
+  found_ = -1;
+}
+
+void LastWrite::triangle(const spec::Triangle& t) {
+  if (runs_.size() >= kKept) flush();
+  triangles_.push_back({Corner{t.v[0].x, t.v[0].y, t.v[0].z}, Corner{t.v[1].x, t.v[1].y, t.v[1].z},
+                        Corner{t.v[2].x, t.v[2].y, t.v[2].z}});
+}
+
+void LastWrite::add(int tile_x, int tile_y, uint32_t irregular, Cycle retire) {
+  const auto tile = static_cast<uint32_t>(tile_y * tile_columns_ + tile_x);
+  runs_.push_back(
+      {static_cast<uint32_t>(triangles_.size() - 1), tile, last_[tile], irregular, retire});
+  last_[tile] = static_cast<uint32_t>(runs_.size() - 1);
+}
+
+void LastWrite::run(int tile_x, int tile_y, Cycle retire) { add(tile_x, tile_y, kNone, retire); }
+
+void LastWrite::run(int tile_x, int tile_y) {
+  add(tile_x, tile_y, static_cast<uint32_t>(irregular_.size()), -1);
+}
+
+Cycle LastWrite::find() {
+  for (auto i = static_cast<uint32_t>(runs_.size()); i-- > 0;) {
+    if (last_[runs_[i].tile] != kNone) test_tile(last_[runs_[i].tile]);
+    if (runs_[i].retire >= 0) return runs_[i].retire;
+  }
+  return found_;
+}
+
+// Keeps what it leaves behind: the depths in the buffer, and the last write so far.
+void LastWrite::flush() {
+  for (uint32_t& last : last_) {
+    if (last != kNone) test_tile(last);
+  }
+  for (const Run& run : runs_) found_ = std::max(found_, run.retire);
+  triangles_.clear();
+  runs_.clear();
+  irregular_.clear();
+}
+
+// All runs of a tile, in order.
+void LastWrite::test_tile(uint32_t last_run) {
+  const uint32_t tile = runs_[last_run].tile;
+  last_[tile] = kNone;
+  if (!cleared_[tile]) clear(tile);
+  std::vector<uint32_t> runs;
+  for (uint32_t i = last_run; i != kNone; i = runs_[i].before) runs.push_back(i);
+  for (auto i = runs.rbegin(); i != runs.rend(); ++i) test(&runs_[*i]);
+}
+
+void LastWrite::clear(uint32_t tile) {
+  cleared_[tile] = true;
+  const int log2 = contract_.design.tile_log2;
+  const int x = static_cast<int>(tile) % tile_columns_ << log2;
+  const int y = static_cast<int>(tile) / tile_columns_ << log2;
+  const int columns = std::min(1 << log2, frame_.width - x);
+  for (int row = y; row < std::min(y + (1 << log2), frame_.height); ++row) {
+    std::fill_n(buffer_->depth.begin() + int64_t{row} * frame_.width + x, columns,
+                core::cleared_depth(contract_.design));
+  }
+}
+
+void LastWrite::test(Run* run) {
+  // As if the scissor left nothing but the tile: the same bits, and the same numbers of tests.
+  const int log2 = contract_.design.tile_log2;
+  const int x = static_cast<int>(run->tile) % tile_columns_ << log2;
+  const int y = static_cast<int>(run->tile) / tile_columns_ << log2;
+  spec::FrameState frame = frame_;
+  frame.scissor_x0 = std::max(frame_.scissor_x0, x);
+  frame.scissor_y0 = std::max(frame_.scissor_y0, y);
+  frame.scissor_x1 = std::min(frame_.scissor_x1, x + (1 << log2));
+  frame.scissor_y1 = std::min(frame_.scissor_y1, y + (1 << log2));
+  spec::Triangle triangle;
+  for (size_t i = 0; i < 3; ++i) {
+    const Corner& corner = triangles_[run->triangle][i];
+    triangle.v[i].x = corner.x;
+    triangle.v[i].y = corner.y;
+    triangle.v[i].z = corner.z;
+  }
+  spec::SetupPrim prim;
+  core::setup(contract_, frame, triangle, &prim, core::Planes::kDepth);
+  core::TileCoverWalk walk(contract_);
+  core::TileCover cover(contract_);
+  walk.begin(prim);
+  walk.next(&cover);
+  core::StampCounts counts;
+  walk.cover_stamps(false, &cover, &counts);
+  core::TileShader shader(contract_, frame, core::TileShader::Values::kDepth);
+  shader.begin(prim);
+  shader.draw(cover, buffer_);
+
+  const Cycle first = run->retire;
+  run->retire = -1;
+  if (shader.passed().count == 0) return;
+  const int last = shader.passed().last;
+  uint32_t stamp = 0;  // its number among those that have a sample
+  cover.covered.for_each_stamp([&](int test) { stamp += test < last ? 1 : 0; });
+  run->retire = run->irregular == kNone ? first + last : irregular_[run->irregular + stamp];
+}
+
+}  // namespace pineda::timing

@@ -1,0 +1,71 @@
+// The last write of a frame, without the depths of the others.
+#pragma once
+
+#include <vector>
+
+#include "model/core/tile_shader.h"
+#include "model/timing/cycles.h"
+
+namespace pineda::timing {
+
+/// Where memories are always ready, the depth test moves nothing in time but the end of the frame,
+/// which comes with the last write: of the last stamp that has a sample that passes. So stamps are
+/// only noted here, and tested at the end, tile by tile from the last stamp backwards, until one is
+/// found that passes.
+///
+/// Bits     core::TileShader.
+/// In       triangle(), then run() for its tiles; the first stamps that are not tested yet are when
+///          there are too many to keep.
+/// Out      find(): the cycle in which the last stamp with a passing sample retires; -1 if none
+/// does.
+class LastWrite {
+ public:
+  explicit LastWrite(const spec::Contract& contract) : contract_(contract) {}
+
+  /// The buffer's depths are cleared where they are needed.
+  void begin_frame(const spec::FrameState& frame, core::FrameBuffer* buffer);
+  /// A triangle that setup sends.
+  void triangle(const spec::Triangle& triangle);
+  /// A tile of the last triangle, of whose stamps that of test 0 retires, or would, in `retire`,
+  /// and the others a cycle later each.
+  void run(int tile_x, int tile_y, Cycle retire);
+  /// The same where they come at other times: retires() for each of its stamps.
+  void run(int tile_x, int tile_y);
+  void retires(Cycle cycle) { irregular_.push_back(cycle); }
+
+  Cycle find();
+
+ private:
+  static constexpr uint32_t kNone = UINT32_MAX;
+  static constexpr size_t kKept = size_t{1} << 20;  // runs, some 32 bytes each
+
+  struct Corner {
+    int32_t x, y;
+    int64_t z;
+  };
+  struct Run {
+    uint32_t triangle;  // index into triangles_
+    uint32_t tile;
+    uint32_t before;     // the run before it in this tile, kNone
+    uint32_t irregular;  // index into irregular_, kNone: regular
+    Cycle retire;        // of test 0; once it is tested of the last stamp that passes, -1 if none
+  };
+  void add(int tile_x, int tile_y, uint32_t irregular, Cycle retire);
+  void test_tile(uint32_t last_run);
+  void test(Run* run);
+  void flush();
+  void clear(uint32_t tile);
+
+  spec::Contract contract_;
+  spec::FrameState frame_;
+  core::FrameBuffer* buffer_ = nullptr;
+  int tile_columns_ = 0;
+  std::vector<std::array<Corner, 3>> triangles_;
+  std::vector<Run> runs_;
+  std::vector<Cycle> irregular_;
+  std::vector<uint32_t> last_;  // by tile: its last run that is not tested
+  std::vector<bool> cleared_;   // by tile: its depths in the buffer are this frame's
+  Cycle found_ = -1;            // among the runs that are not kept
+};
+
+}  // namespace pineda::timing

@@ -1,0 +1,239 @@
+// The Verilated top in a bare loop: what an engineer would write who wants nothing but speed. Sees
+// the Verilator header of one design, whose constants come from its package; compiled in one piece
+// with what Verilator generates.
+#include "tb/bench_plugin.h"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "Vraster_top.h"
+#include "model/spec/pack.h"
+#include "verilated.h"
+
+namespace package {
+#include "package_constants.inc"
+#ifndef PINEDA_DEPTH
+constexpr int DEPTH_BITS = 24;
+#endif
+#ifndef PINEDA_ATTRIBUTES
+constexpr int ATTRIBUTES = 0;
+#endif
+#ifndef PINEDA_FLAT_ATTRIBUTES
+constexpr int FLAT_ATTRIBUTES = 0;
+#endif
+}  // namespace package
+
+struct PinedaBench {
+  PinedaBench();
+  ~PinedaBench();
+  uint64_t run(const PinedaBenchFrame& frame);
+
+ private:
+  // Depth data that is under way to the top.
+  struct Response {
+    bool valid = false;
+    uint32_t words[(package::LANES * package::DEPTH_BITS + 31) / 32 + 1];
+  };
+  void start(const PinedaBenchFrame& frame);
+  void read(Response* response);
+  void write_depth();
+  void write_color();
+  void edge();
+
+  VerilatedContext context_;
+  std::unique_ptr<Vraster_top> top_;
+  PinedaBenchFrame frame_{};
+  std::vector<Response> due_;  // by cycle modulo the latency
+};
+
+namespace {
+
+constexpr int kChannels = package::ATTRIBUTES + package::FLAT_ATTRIBUTES;
+constexpr uint64_t kDeadlockCycles = 8'000'000;
+
+/// `bits` bits of a port from `position` on.
+uint64_t get(QData port, int position, int bits) {
+  return port >> position & ((uint64_t{1} << bits) - 1);
+}
+template <size_t Words>
+uint64_t get(const VlWide<Words>& port, int position, int bits) {
+  return pineda::spec::get_bits(port.m_storage, position, bits);
+}
+
+void set(QData* port, const uint32_t* words) {
+  *port = words[0] | static_cast<uint64_t>(words[1]) << 32;
+}
+void set(IData* port, const uint32_t* words) { *port = words[0]; }
+template <size_t Words>
+void set(VlWide<Words>* port, const uint32_t* words) {
+  std::copy_n(words, Words, port->m_storage);
+}
+
+/// Calls visit(lane, sample) for each lane of the stamp whose address and mask lie above
+/// `payload_bits` of a port.
+template <class Port, class Visit>
+void for_each_lane(const Port& port, int payload_bits, int width, Visit visit) {
+  using namespace package;
+  const uint64_t mask = get(port, payload_bits, LANES);
+  const uint64_t y = get(port, payload_bits + LANES, STAMP_Y_BITS) << STAMP_HEIGHT_LOG2;
+  const uint64_t x = get(port, payload_bits + LANES + STAMP_Y_BITS, STAMP_X_BITS)
+                     << STAMP_WIDTH_LOG2;
+  const uint64_t first = y * static_cast<uint64_t>(width) + x;
+  for (int lane = 0; lane < LANES; ++lane) {
+    if ((mask >> lane & 1) == 0) continue;
+    visit(lane, first + static_cast<uint64_t>((lane >> STAMP_WIDTH_LOG2) * width +
+                                              (lane & ((1 << STAMP_WIDTH_LOG2) - 1))));
+  }
+}
+
+}  // namespace
+
+PinedaBench::PinedaBench() : top_(std::make_unique<Vraster_top>(&context_)) {
+  top_->clear_ready_i = 1;
+  top_->color_wr_ready_i = 1;
+#ifdef PINEDA_DEPTH
+  top_->depth_rd_ready_i = 1;
+  top_->depth_wr_ready_i = 1;
+#endif
+  top_->rst_ni = 0;
+  top_->eval();
+  edge();
+  edge();
+  top_->rst_ni = 1;
+}
+
+PinedaBench::~PinedaBench() {
+  top_->final();
+  top_.reset();
+  Verilated::threadContextp(Verilated::defaultContextp());
+}
+
+// The clock is low again afterwards, which the next eval sees.
+void PinedaBench::edge() {
+  top_->clk_i = 1;
+  top_->eval();
+  top_->clk_i = 0;
+}
+
+void PinedaBench::start(const PinedaBenchFrame& frame) {
+  frame_ = frame;
+  const auto samples = static_cast<size_t>(frame.width) * static_cast<size_t>(frame.height);
+  std::fill_n(frame.color, samples * kChannels, uint16_t{0});
+  std::fill_n(frame.depth, samples,
+              static_cast<uint32_t>((uint64_t{1} << package::DEPTH_BITS) - 1));
+  due_.assign(static_cast<size_t>(frame.depth_latency_cycles), Response{});
+  set(&top_->frame_i, frame.state);
+  top_->frame_valid_i = 1;
+}
+
+uint64_t PinedaBench::run(const PinedaBenchFrame& frame) {
+  constexpr size_t kTriangleWords = (package::TRIANGLE_BITS + 31) / 32;
+  start(frame);
+  const uint32_t* triangle = frame.triangles;
+  const uint32_t* const end = triangle + frame.count * kTriangleWords;
+  size_t slot = 0;
+  uint64_t last_write = 0;  // the cycle after it; the clear counts
+  uint64_t last_event = 0;
+  for (uint64_t cycle = 0;; ++cycle) {
+    // Offered from the cycle on in which the one before it is gone.
+    top_->tri_valid_i = triangle != end;
+    top_->end_valid_i = triangle == end;
+    if (triangle != end) set(&top_->tri_i, triangle);
+#ifdef PINEDA_DEPTH
+    Response& response = due_[slot];
+    top_->depth_rsp_valid_i = response.valid;
+    if (response.valid) set(&top_->depth_rsp_i, response.words);
+#endif
+    top_->eval();
+
+    bool written = top_->clear_valid_o != 0;
+#ifdef PINEDA_DEPTH
+    // A read sees the writes accepted before its cycle. Its slot comes round in `latency` cycles.
+    response.valid = top_->depth_rd_valid_o != 0;
+    if (response.valid) read(&response);
+    if (top_->depth_wr_valid_o != 0) {
+      write_depth();
+      written = true;
+    }
+    if (++slot == due_.size()) slot = 0;
+#endif
+    if (top_->color_wr_valid_o != 0) {
+      write_color();
+      written = true;
+    }
+    if (written) last_write = last_event = cycle + 1;
+    const bool frame_taken = top_->frame_valid_i != 0 && top_->frame_ready_o != 0;
+    const bool taken = top_->tri_valid_i != 0 && top_->tri_ready_o != 0;
+    const bool ended = top_->end_valid_i != 0 && top_->end_ready_o != 0;
+    edge();
+    if (frame_taken) top_->frame_valid_i = 0;
+    if (taken) {
+      triangle += kTriangleWords;
+      last_event = cycle;
+    }
+    if (ended) break;
+    if (cycle > last_event + kDeadlockCycles) return 0;
+  }
+  top_->end_valid_i = 0;
+  return last_write;
+}
+
+#ifdef PINEDA_DEPTH
+void PinedaBench::read(Response* response) {
+  for_each_lane(top_->depth_rd_o, 0, frame_.width, [&](int lane, uint64_t sample) {
+    pineda::spec::set_bits(response->words, lane * package::DEPTH_BITS, package::DEPTH_BITS,
+                           frame_.depth[sample]);
+  });
+}
+
+void PinedaBench::write_depth() {
+  const auto& port = top_->depth_wr_o;
+  for_each_lane(
+      port, package::LANES * package::DEPTH_BITS, frame_.width, [&](int lane, uint64_t sample) {
+        frame_.depth[sample] =
+            static_cast<uint32_t>(get(port, lane * package::DEPTH_BITS, package::DEPTH_BITS));
+      });
+}
+#endif
+
+void PinedaBench::write_color() {
+  using namespace package;
+  const auto& port = top_->color_wr_o;
+  constexpr int kFlatBits = FLAT_ATTRIBUTES * ATTR_BITS;
+  constexpr int kPayloadBits = kFlatBits + LANES * ATTRIBUTES * ATTR_BITS;
+  for_each_lane(port, kPayloadBits, frame_.width, [&](int lane, uint64_t sample) {
+    uint16_t* to = frame_.color + sample * kChannels;
+    for (int a = 0; a < ATTRIBUTES; ++a) {
+      const int position = kFlatBits + (lane * ATTRIBUTES + a) * ATTR_BITS;
+      *to++ = static_cast<uint16_t>(get(port, position, ATTR_BITS));
+    }
+    for (int a = 0; a < FLAT_ATTRIBUTES; ++a) {
+      *to++ = static_cast<uint16_t>(get(port, a * ATTR_BITS, ATTR_BITS));
+    }
+  });
+}
+
+namespace {
+
+#define PINEDA_TEXT_OF(text) #text
+#define PINEDA_TEXT(macro) PINEDA_TEXT_OF(macro)
+
+const PinedaBenchPlugin kPlugin = {
+    kPinedaBenchAbi,
+    PINEDA_RTL_DESIGN,
+#include "package_hash.inc"
+    ,
+#ifdef __clang__
+    "clang++ " PINEDA_TEXT(__clang_major__) "." PINEDA_TEXT(__clang_minor__),
+#else
+    "g++ " PINEDA_TEXT(__GNUC__) "." PINEDA_TEXT(__GNUC_MINOR__),
+#endif
+    [] { return new PinedaBench; },
+    [](PinedaBench* bench) { delete bench; },
+    [](PinedaBench* bench, const PinedaBenchFrame* frame) { return bench->run(*frame); },
+};
+
+}  // namespace
+
+const PinedaBenchPlugin* pineda_bench_plugin(void) { return &kPlugin; }

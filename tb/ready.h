@@ -1,0 +1,16 @@
+// The stalls of the benches, as the cycle model takes them.
+#pragma once
+
+#include "model/timing/memory.h"
+
+namespace pineda::tb {
+
+/// Empty where nobody stalls.
+inline timing::Ready ready_of(const memory::Stalls& stalls) {
+  if (!stalls.any()) return {};
+  return [stalls](timing::ExternalPort port, timing::Cycle cycle) {
+    return !stalls(port, static_cast<uint64_t>(cycle));
+  };
+}
+
+}  // namespace pineda::tb

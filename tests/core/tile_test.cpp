@@ -1,0 +1,173 @@
+// Whole tiles at a time: the same bits and counts as stamp by stamp.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/core/frame.h"
+#include "tests/core/support.h"
+
+namespace pineda::test {
+namespace {
+
+struct Ignore {
+  void prim(const spec::SetupPrim&) {}
+  void stamp(const spec::Stamp&) {}
+  void depth(const spec::DepthWrite&) {}
+  void color(const spec::ColorWrite&) {}
+};
+
+class Random {
+ public:
+  explicit Random(uint64_t seed) : state_(seed) {}
+  int64_t operator()(int64_t low, int64_t high) {
+    state_ += 0x9e3779b97f4a7c15u;
+    uint64_t x = (state_ ^ (state_ >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return low + static_cast<int64_t>((x ^ (x >> 31)) % static_cast<uint64_t>(high - low + 1));
+  }
+
+ private:
+  uint64_t state_;
+};
+
+spec::FrameState random_frame(Random* r) {
+  spec::FrameState frame;
+  frame.width = static_cast<int>((*r)(1, 90));
+  frame.height = static_cast<int>((*r)(1, 70));
+  frame.cull = static_cast<spec::Cull>((*r)(0, 2));
+  frame.depth = static_cast<spec::DepthFunc>((*r)(0, 8));
+  frame.depth_write = (*r)(0, 3) != 0;
+  frame.shade = static_cast<spec::Shade>((*r)(0, 1));
+  if ((*r)(0, 2) == 0) {
+    frame.scissor_x0 = static_cast<int>((*r)(0, 30));
+    frame.scissor_y0 = static_cast<int>((*r)(0, 30));
+    frame.scissor_x1 = static_cast<int>((*r)(20, 90));
+    frame.scissor_y1 = static_cast<int>((*r)(20, 90));
+  }
+  if ((*r)(0, 2) == 0) {
+    frame.bias_constant = (*r)(-3000, 3000);
+    frame.bias_slope = static_cast<int32_t>((*r)(-2000, 2000));
+  }
+  return frame;
+}
+
+// From needles that wrap their gradients to triangles over the whole guard band.
+spec::Triangle random_triangle(const spec::Contract& c, const spec::FrameState& frame, Random* r) {
+  const spec::Design& d = c.design;
+  const int px = 1 << d.subpixel_bits;
+  const int64_t limit = int64_t{1} << (d.guard_bits + d.subpixel_bits);
+  const int64_t reach = (*r)(0, 3) == 0 ? limit : (*r)(1, 40 * px);
+  const int64_t x = (*r)(0, frame.width * px);
+  const int64_t y = (*r)(0, frame.height * px);
+  spec::Triangle t;
+  for (auto& v : t.v) {
+    const int64_t from_x = (*r)(-reach, reach);
+    const int64_t from_y = (*r)(-reach, reach);
+    v.x = static_cast<int32_t>(std::clamp<int64_t>(x + from_x, -limit, limit - 1));
+    v.y = static_cast<int32_t>(std::clamp<int64_t>(y + from_y, -limit, limit - 1));
+    v.z = (*r)(0, ((int64_t{1} << d.depth_bits) - 1) << 8);
+    for (auto& a : v.attr) a = static_cast<int32_t>((*r)(0, (1 << d.attribute_bits) - 1));
+    v.inverse_w =
+        static_cast<int32_t>((*r)(1 << (d.inverse_w_bits - 1), (1 << d.inverse_w_bits) - 1));
+    v.inverse_w_shift = static_cast<int32_t>((*r)(0, 9));
+  }
+  t.v[0].inverse_w_shift = 0;
+  return t;
+}
+
+std::string compare(const spec::Contract& c, uint64_t seed, uint64_t* drawn) {
+  Random random(seed);
+  const spec::FrameState frame = random_frame(&random);
+  core::Renderer stamps(c, frame), tiles(c, frame);
+  for (int i = 0; i < 40; ++i) {
+    const spec::Triangle t = random_triangle(c, frame, &random);
+    stamps.draw(t, Ignore{});
+    tiles.draw(t);
+  }
+  const core::FrameCounters& a = stamps.counters();
+  const core::FrameCounters& b = tiles.counters();
+  *drawn += a.passed;
+  if (a.tiles_tested != b.tiles_tested || a.tiles_rejected != b.tiles_rejected ||
+      a.tiles_accepted != b.tiles_accepted || a.stamps != b.stamps || a.fragments != b.fragments ||
+      a.interpolated != b.interpolated || a.passed != b.passed) {
+    return "counters";
+  }
+  if (stamps.buffer().hits != tiles.buffer().hits) return "hits";
+  if (stamps.buffer().depth != tiles.buffer().depth) return "depth";
+  if (stamps.buffer().color != tiles.buffer().color) return "colour";
+  return {};
+}
+
+class WholeTiles : public testing::TestWithParam<std::string> {};
+
+TEST_P(WholeTiles, EqualStampByStamp) {
+  const auto c = spec::contract(*spec::find_design(GetParam()));
+  uint64_t drawn = 0;
+  for (uint64_t seed = 0; seed < 60; ++seed) {
+    ASSERT_EQ(compare(c, seed, &drawn), "") << "seed " << seed;
+  }
+  EXPECT_GT(drawn, 10000u);
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const spec::Design& d : spec::designs()) all.push_back(d.name);
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Designs, WholeTiles, testing::ValuesIn(names()),
+                         [](const auto& p) { return p.param; });
+
+// Formats at the ends of their ranges: codes of 32 bits, planes that need 64-bit lanes, stamps and
+// tiles of every shape.
+TEST(WholeTiles, EqualStampByStampInRandomDesigns) {
+  Random random(5);
+  uint64_t drawn = 0;
+  int valid = 0;
+  for (int i = 0; i < 400 && valid < 120; ++i) {
+    spec::Design d;
+    d.subpixel_bits = static_cast<int>(random(4, 12));
+    d.guard_bits = static_cast<int>(random(7, 14));
+    d.depth_test = random(0, 9) != 0;
+    d.depth_bits = static_cast<int>(random(16, 32));
+    d.attributes = static_cast<int>(random(0, 6));
+    d.flat_attributes = static_cast<int>(random(0, 2));
+    d.attribute_bits = static_cast<int>(random(1, 16));
+    d.perspective = random(0, 4) == 0;
+    d.gradient_fraction_bits = static_cast<int>(random(8, 20));
+    d.tile_fraction_bits = static_cast<int>(random(1, d.gradient_fraction_bits));
+    d.tile_log2 = static_cast<int>(random(2, 6));
+    d.stamp_width_log2 = static_cast<int>(random(0, 2));
+    d.stamp_height_log2 = static_cast<int>(random(0, 2));
+    if (!spec::invalid_reason(d).empty()) continue;
+    ++valid;
+    const auto seed = static_cast<uint64_t>(i);
+    ASSERT_EQ(compare(spec::contract(d), seed, &drawn), "")
+        << "design " << i << ": " << d.subpixel_bits << " " << d.guard_bits << " depth "
+        << d.depth_test << " " << d.depth_bits << " attr " << d.attributes << " "
+        << d.flat_attributes << " " << d.attribute_bits << " persp " << d.perspective << " F "
+        << d.gradient_fraction_bits << " " << d.tile_fraction_bits << " tile " << d.tile_log2 << " "
+        << d.stamp_width_log2 << " " << d.stamp_height_log2;
+  }
+  EXPECT_EQ(valid, 120);
+  EXPECT_GT(drawn, 10000u);
+}
+
+// What the comparison rests on: a tile drawn by another depth function differs.
+TEST(WholeTiles, MutantOfTheDepthFunctionIsSeen) {
+  const auto c = spec::contract(spec::kHighTile);
+  spec::FrameState frame;
+  frame.width = frame.height = 32;
+  core::Renderer less(c, frame);
+  frame.depth = spec::DepthFunc::kGreater;
+  core::Renderer greater(c, frame);
+  Random random(1);
+  for (int i = 0; i < 40; ++i) {
+    const spec::Triangle t = random_triangle(c, frame, &random);
+    less.draw(t, Ignore{});
+    greater.draw(t);
+  }
+  EXPECT_NE(less.buffer().depth, greater.buffer().depth);
+}
+
+}  // namespace
+}  // namespace pineda::test

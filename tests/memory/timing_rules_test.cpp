@@ -1,0 +1,131 @@
+// What every MemoryTiming promises, under random requests; and stalls.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "model/memory/kinds.h"
+#include "model/memory/stalls.h"
+
+namespace pineda::memory {
+namespace {
+
+constexpr spec::Contract kContract = spec::contract(spec::kHighTile);
+
+class Random {
+ public:
+  explicit Random(uint64_t seed) : state_(seed) {}
+  int below(int n) {
+    state_ += 0x9e3779b97f4a7c15u;
+    uint64_t x = state_;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return static_cast<int>((x ^ (x >> 31)) % static_cast<uint64_t>(n));
+  }
+
+ private:
+  uint64_t state_;
+};
+
+// The first rule that is broken in 20000 cycles of requests near one another; empty if none.
+std::string broken_rule(MemoryTiming* timing, uint64_t seed) {
+  timing->begin_frame({320, 200});
+  Random random(seed);
+  Cycle last_response = -1;
+  int x = 80;
+  for (Cycle t = 0; t < 20000; ++t) {
+    bool ready[kMemoryPorts];
+    for (size_t p = 0; p < kMemoryPorts; ++p) {
+      const Cycle from = timing->ready_from(static_cast<MemoryPort>(p), t);
+      if (from < t) return "ready in the past";
+      ready[p] = from == t;
+    }
+    for (size_t p = 0; p < kMemoryPorts; ++p) {
+      if (!ready[p] || random.below(4) == 0) continue;
+      // What other ports do in this cycle does not matter yet.
+      const auto port = static_cast<MemoryPort>(p);
+      if (timing->ready_from(port, t) != t) return "not ready any more in the same cycle";
+      x = (x + random.below(9) + 156) % 160;
+      const Cycle response = timing->accept(port, t, x, random.below(100));
+      if (port != MemoryPort::kDepthRead) continue;
+      if (response <= t) return "a response before its time";
+      if (response <= last_response) return "responses out of order";
+      last_response = response;
+    }
+  }
+  return last_response > 0 ? "" : "nothing was read";
+}
+
+TEST(MemoryTiming, KeepsItsRules) {
+  for (const Kind kind : kKinds) {
+    for (uint64_t seed = 0; seed < 8; ++seed) {
+      EXPECT_EQ(broken_rule(make_timing(kind, kContract, 8).get(), seed), "") << kind_name(kind);
+    }
+  }
+}
+
+TEST(MemoryTiming, SameRequestsTakeTheSameTimeAgain) {
+  for (const Kind kind : kKinds) {
+    const auto timing = make_timing(kind, kContract, 8);
+    const auto times = [&] {
+      std::vector<Cycle> responses;
+      timing->begin_frame({320, 200});
+      Random random(3);
+      for (Cycle t = 0; responses.size() < 1000;) {
+        t = timing->ready_from(MemoryPort::kDepthRead, t + 1);
+        const int x = random.below(160);
+        responses.push_back(timing->accept(MemoryPort::kDepthRead, t, x, random.below(100)));
+      }
+      return responses;
+    };
+    EXPECT_EQ(times(), times()) << kind_name(kind);
+  }
+}
+
+// The mutant: a hit overtakes the miss before it.
+class Overtaking final : public MemoryTiming {
+ public:
+  void begin_frame(const spec::FrameState&) override {}
+  Cycle ready_from(MemoryPort, Cycle from) override { return from; }
+  Cycle accept(MemoryPort, Cycle cycle, int x, int) override {
+    return cycle + (x % 8 == 0 ? 20 : 3);
+  }
+};
+
+TEST(MemoryTimingMutant, IsCaught) {
+  Overtaking mutant;
+  EXPECT_EQ(broken_rule(&mutant, 1), "responses out of order");
+}
+
+TEST(IdealTiming, LatencyOutsideTheDesignIsRefused) {
+  EXPECT_THROW(make_timing(Kind::kIdeal, kContract, 0), std::invalid_argument);
+  EXPECT_THROW(make_timing(Kind::kIdeal, kContract, 65), std::invalid_argument);
+  EXPECT_EQ(make_timing(Kind::kIdeal, kContract, 64)->accept(MemoryPort::kDepthRead, 5, 0, 0), 69);
+}
+
+TEST(Kinds, AreFoundByTheirNames) {
+  for (const Kind kind : kKinds) EXPECT_EQ(kind_named(kind_name(kind)), kind);
+  EXPECT_FALSE(kind_named("sram"));
+}
+
+TEST(Stalls, OfAModeAreThoseOfItsSide) {
+  const Port sources[] = {Port::kInput, Port::kTriangle, Port::kEnd};
+  const Port sinks[] = {Port::kOutput, Port::kClear, stalling(MemoryPort::kDepthRead),
+                        stalling(MemoryPort::kDepthWrite), stalling(MemoryPort::kColorWrite)};
+  std::map<Port, int> stalled;
+  for (uint64_t cycle = 0; cycle < 4096; ++cycle) {
+    for (const Port port : sources) {
+      EXPECT_FALSE(Stalls(StallMode::kSink, 7)(port, cycle));
+      stalled[port] += Stalls(StallMode::kSource, 7)(port, cycle) ? 1 : 0;
+    }
+    for (const Port port : sinks) {
+      EXPECT_FALSE(Stalls(StallMode::kSource, 7)(port, cycle));
+      stalled[port] += Stalls(StallMode::kSink, 7)(port, cycle) ? 1 : 0;
+    }
+  }
+  ASSERT_EQ(stalled.size(), 8u);
+  // 13 eighths of four draws.
+  for (const auto& [port, cycles] : stalled) EXPECT_NEAR(cycles, 4096 * 13 / 32, 300);
+}
+
+}  // namespace
+}  // namespace pineda::memory
