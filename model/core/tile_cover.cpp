@@ -278,10 +278,10 @@ void TileCoverWalk::cover_stamps(bool with_masks, TileCover* cover, StampCounts*
     return;
   }
   cover->full = false;
-  // Within a tile that it cuts, an edge takes at most 1 + log2(2(T-1)) + span bits; the lanes may
-  // be wider than the tile.
-  const int span = d.guard_bits + 1 + d.subpixel_bits;
-  if (2 + std::max(d.tile_log2, ceil_log2(kBlockPx)) + span <= 32) {
+  // |E'| <= (T-1)(|a|+|b|) in a tile that an edge cuts, and |a|, |b| < 2^coord; the lanes may be
+  // wider than the tile.
+  const int side_log2 = std::max(d.tile_log2, ceil_log2(kBlockPx));
+  if (2 + side_log2 + contract_.width.coord <= 32) {
     cover_narrow(d, tile_edges<int32_t>(*prim_, kept_, cover->accepted), cover);
   } else {
     cover_wide(d, tile_edges<int64_t>(*prim_, kept_, cover->accepted), cover);
