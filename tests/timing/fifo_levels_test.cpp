@@ -74,6 +74,25 @@ TEST(FifoLevels, ExchangeInOneCycleKeepsTheLevel) {
   EXPECT_EQ(levels_of({{0, 4}, {4, 6}}, 2, 8), (std::vector<Cycle>{2, 6, 0}));
 }
 
+// Some tokens that wait, then a run of which each is freed in the cycle after it came, with gaps;
+// the last one that waits is freed no later than the first one of the run comes.
+TEST(FifoLevels, RunThatFlowsFreelyCountsAsItsTokens) {
+  for (uint32_t seed = 0; seed < 50; ++seed) {
+    std::mt19937 random(seed);
+    auto slots = random_slots(3, seed);
+    FifoLevels at_once(3);
+    at_once.begin_frame();
+    for (const Slot& slot : slots) at_once.slot(slot.inserted, slot.freed);
+    Cycle inserted = slots.back().freed + static_cast<Cycle>(random() % 3);
+    for (int i = 0; i < 8; ++i, inserted += 1 + static_cast<Cycle>(random() % 3)) {
+      slots.push_back({inserted, inserted + 1});
+    }
+    at_once.flow(8, slots.back().freed);
+    const Cycle drained = slots.back().freed + 4;
+    EXPECT_EQ(at_once.cycles(drained), counted(slots, 3, drained)) << "seed " << seed;
+  }
+}
+
 TEST(FifoLevelsMutant, ReleaseACycleLaterIsNoticed) {
   const auto slots = random_slots(3, 1);
   auto later = slots;
