@@ -53,9 +53,9 @@ std::string dropped_text(const core::FrameCounters& c) {
 std::string cycles_text(const CheckResult& r) {
   const std::string text =
       fmt::format("{} model, {} RTL", grouped(r.model.cycles), grouped(r.rtl.cycles));
-  if (r.cycle_error() <= kCycleErrorBound) return text;
+  if (r.cycle_error() <= studies::kCycleErrorBound) return text;
   return fmt::format("{}: {:.2f} % apart, bound {:.1f} %", text, 100 * r.cycle_error(),
-                     100 * kCycleErrorBound);
+                     100 * studies::kCycleErrorBound);
 }
 
 std::string counters_text(const CheckResult& r) {

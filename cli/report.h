@@ -27,9 +27,6 @@ struct Side {
   double seconds = 0;
 };
 
-/// The model's cycles may be wrong by so much, as a share of the RTL's.
-inline constexpr double kCycleErrorBound = .001;
-
 struct CheckResult {
   scene::Counters input;
   core::FrameCounters counters;
@@ -52,7 +49,7 @@ struct CheckResult {
     return std::abs(apart) / static_cast<double>(std::max<uint64_t>(1, rtl.cycles));
   }
   bool holds() const {
-    return mismatches() == 0 && judgement.holds() && cycle_error() <= kCycleErrorBound &&
+    return mismatches() == 0 && judgement.holds() && cycle_error() <= studies::kCycleErrorBound &&
            counters_differ.empty();
   }
 };

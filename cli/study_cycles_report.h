@@ -1,6 +1,7 @@
 // What pineda study cycles prints of its rows.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,15 @@ namespace pineda::cli {
 
 /// A row of the table.
 struct CycleRow {
-  std::string scene, design, stall;
-  int latency_cycles = 0;
+  std::string scene, design, memory, stall;
+  std::optional<int> latency_cycles;  // of an ideal memory
   scene::Size size;
   uint64_t triangles = 0;
   studies::CyclePoint point;
+
+  bool holds() const {
+    return point.holds(memory != memory::kind_name(memory::Kind::kIdeal) || stall != "none");
+  }
 
   double rtl_speed() const { return speed(point.fastest() ? point.fastest()->seconds : 0); }
   double time_speed() const { return speed(point.time_seconds); }
@@ -29,6 +34,22 @@ struct CycleRow {
 void print_columns(const Output& output);
 void print_row(const Output& output, const CycleRow& row);
 Json row_json(const CycleRow& row);
+
+/// The worst of some rows.
+struct CycleWorst {
+  std::string design;  // "all": of several
+  size_t rows = 0;
+  size_t off = 0;  // of them: those in which anything differs
+  size_t counters_off = 0;
+  double error = 0;
+  int64_t p99 = 0;
+  int64_t max = 0;
+  bool holds = true;
+};
+/// By design, in their order; of several designs the last one is of all rows.
+std::vector<CycleWorst> worst_of(const std::vector<CycleRow>& rows);
+void print_worst(const Output& output, const std::vector<CycleWorst>& all);
+Json worst_json(const std::vector<CycleWorst>& all);
 
 /// Geometric means of the rows whose speed was measured, M cycles/s; 0: of none.
 struct CycleMeans {

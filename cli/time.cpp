@@ -4,6 +4,7 @@
 #include "cli/cycles.h"
 #include "cli/memory_report.h"
 #include "cli/models.h"
+#include "cli/sample.h"
 #include "cli/seeing.h"
 #include "cli/triangles.h"
 
@@ -13,6 +14,7 @@ namespace {
 struct TimeOptions : Options {
   bool bits = false;
   int bench = 0;
+  SampleOptions sample;
   SeeingOptions seeing;
 };
 
@@ -20,14 +22,19 @@ int run(const TimeOptions& options) {
   check_seeing_options(options.seeing);
   const Output output(options);
   Progress progress(options);
-  const Job job = open_job(options, spec::no_cycles_reason, false, output, &progress);
+  const bool repeats = !options.sample.share.empty() && options.bench > 1;
+  const Job job = open_job(options, spec::no_cycles_reason, repeats, output, &progress);
   const spec::Contract& contract = job.contract;
   const scene::Scene& scene = job.scene;
   const auto bench = bench_options(options, contract);
   const auto top = make_model(contract, bench);
-  Seeing seeing(options.seeing, job);
   top->set_bits(options.bits);
+  if (const auto plan = sample_plan(options.sample, job, output)) {
+    run_sample(*plan, options, options.bench, job, top.get(), output);
+    return kHolds;
+  }
 
+  Seeing seeing(options.seeing, job);
   timing::FrameResult result;
   const double seconds = frame_seconds(
       scene, options.bench, &progress, "timing",
@@ -37,6 +44,9 @@ int run(const TimeOptions& options) {
 
   Json json = header_json(scene, contract);
   json["cycles"] = result.cycles;
+  if (!options.sample.share.empty()) {
+    add_whole(result.spent.drained, scene.source->counters().triangles, &json);
+  }
   json["seconds"] = seconds;
   json["triangles"] = scene.source->counters().triangles;
   add_memory(&json, options, bench);
@@ -71,6 +81,7 @@ void add_time(CLI::App* program, int* exit_code) {
                     ->check(CLI::Range(1, 1'000'000))
                     ->type_name("N");
   add_seeing_options(command, &options->seeing, bench);
+  add_sample_options(command, &options->sample);
   command->callback([options, exit_code] { *exit_code = run(*options); });
 }
 

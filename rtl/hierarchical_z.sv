@@ -11,7 +11,9 @@
 // Drops    updates of tiles beyond HIERARCHICAL_Z_TILES.
 // Twin     model/timing/hierarchical_z.cpp.
 `ifdef PINEDA_HIERARCHICAL_Z
-module hierarchical_z (
+module hierarchical_z #(
+  parameter int unsigned FlagsLog2 = 12  // the flags of so many tiles are one register
+) (
   input  logic                                          clk_i,
   input  logic                                          rst_ni,
   input  logic                                          clear_i,
@@ -26,10 +28,13 @@ module hierarchical_z (
   input  pineda_pkg::depth_max_t                        update_i
 );
   localparam int unsigned BITS = pineda_pkg::HIERARCHICAL_Z_BITS;
-  localparam int unsigned TILES = pineda_pkg::HIERARCHICAL_Z_TILES;
   localparam int unsigned DELAY = pineda_pkg::HIERARCHICAL_Z_DELAY_CYCLES;
   localparam int unsigned TILE_LOG2 = pineda_pkg::TILE_LOG2;
   localparam int unsigned TILE_BITS = pineda_pkg::TILE_INDEX_BITS;
+  // No more than the largest frame has
+  localparam int unsigned FRAME_TILES = 1 << (2 * TILE_BITS);
+  localparam int unsigned TILES = pineda_pkg::HIERARCHICAL_Z_TILES < FRAME_TILES ?
+                                  pineda_pkg::HIERARCHICAL_Z_TILES : FRAME_TILES;
   // Stamp column and row inside a tile
   localparam int unsigned X_BITS = TILE_LOG2 - pineda_pkg::STAMP_WIDTH_LOG2;
   localparam int unsigned Y_BITS = TILE_LOG2 - pineda_pkg::STAMP_HEIGHT_LOG2;
@@ -37,8 +42,7 @@ module hierarchical_z (
   localparam int unsigned WORD_BITS = STAMPS * BITS;
   localparam int unsigned INDEX_BITS = 2 * TILE_BITS + 1;
   localparam int unsigned ADDRESS_BITS = TILES > 1 ? $clog2(TILES) : 1;
-  // The flags of so many tiles are one register.
-  localparam int unsigned FLAGS_LOG2 = ADDRESS_BITS < 12 ? ADDRESS_BITS : 12;
+  localparam int unsigned FLAGS_LOG2 = ADDRESS_BITS < FlagsLog2 ? ADDRESS_BITS : FlagsLog2;
   localparam int unsigned FLAG_WORDS = ((TILES - 1) >> FLAGS_LOG2) + 1;
   localparam int unsigned WORD_INDEX_BITS = FLAG_WORDS > 1 ? $clog2(FLAG_WORDS) : 1;
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "model/timing/counter_list.h"
 #include "model/timing/raster_top.h"
 #include "studies/child.h"
 #include "studies/retirement.h"
@@ -76,7 +77,8 @@ struct Rtl {
     }
   }
   static bool measures(const CycleOptions& options) {
-    return options.runs > 0 && options.stall_mode == tb::StallMode::kNone;
+    return options.runs > 0 && options.stall_mode == tb::StallMode::kNone &&
+           options.memory == memory::Kind::kIdeal;
   }
 };
 
@@ -90,7 +92,7 @@ class Comparison {
         triangles_(triangles),
         options_(options),
         model_("raster_top", rtl->library.contract()) {
-    model_.set_depth_latency_cycles(options.depth_latency_cycles);
+    model_.set_memory(timing());
     model_.set_ready(tb::ready_of({options.stall_mode, options.seed}));
   }
 
@@ -101,19 +103,40 @@ class Comparison {
   }
 
  private:
+  /// One for each side.
+  std::shared_ptr<memory::MemoryTiming> timing() const {
+    return memory::make_timing(options_.memory, rtl_.library.contract(),
+                               options_.depth_latency_cycles);
+  }
+
   void compare() {
     tb::BenchOptions bench_options;
-    bench_options.depth_latency_cycles = options_.depth_latency_cycles;
+    bench_options.memory = timing();
     bench_options.stall_mode = options_.stall_mode;
     bench_options.seed = options_.seed;
     tb::FrameBench bench(rtl_.library, bench_options);
     Retirement<tb::Listener, uint64_t> rtl;
-    point_.rtl_cycles = static_cast<int64_t>(bench.run(frame_, pull_from(triangles_), &rtl).cycles);
+    const tb::FrameResult of_rtl = bench.run(frame_, pull_from(triangles_), &rtl);
     Retirement<timing::Listener, timing::Cycle> model;
     model_.set_bits(true);
-    point_.model_cycles = model_.run(frame_, pull_from(triangles_), &model).cycles;
+    const timing::FrameResult of_model = model_.run(frame_, triangles_, &model);
+    point_.rtl_cycles = static_cast<int64_t>(of_rtl.cycles);
+    point_.model_cycles = of_model.cycles;
     point_.same_frame = same(model_.buffer(), bench.buffer());
     point_.retire = retire_errors(model.cycles(), rtl.cycles());
+    compare_counters(of_model, of_rtl);
+  }
+
+  void compare_counters(const timing::FrameResult& model, const tb::FrameResult& rtl) {
+    const spec::Contract& contract = rtl_.library.contract();
+    const auto counters = timing::counter_list(contract, model.spent, model.counters);
+    const auto differences = timing::counter_differences(
+        counters, timing::counter_list(contract, rtl.spent, rtl.counters));
+    point_.counters = counters.size();
+    point_.counters_off = differences.size();
+    if (differences.empty()) return;
+    const std::string& name = differences.front().name;
+    name.copy(point_.first_counter.data(), point_.first_counter.size() - 1);
   }
 
   void measure() {
@@ -141,8 +164,7 @@ class Comparison {
   double model_seconds(bool bits) {
     model_.set_bits(bits);
     int64_t cycles = 0;
-    const double seconds =
-        seconds_of([&] { cycles = model_.run(frame_, pull_from(triangles_)).cycles; });
+    const double seconds = seconds_of([&] { cycles = model_.run(frame_, triangles_).cycles; });
     require(cycles == point_.model_cycles, "the model", cycles, point_.model_cycles);
     return seconds;
   }
@@ -202,6 +224,16 @@ RetireErrors retire_errors(const std::vector<int64_t>& model, const std::vector<
 double CyclePoint::error() const {
   return static_cast<double>(std::abs(model_cycles - rtl_cycles)) /
          static_cast<double>(std::max<int64_t>(1, rtl_cycles));
+}
+
+bool CyclePoint::is_off() const {
+  return model_cycles != rtl_cycles || retire.off != 0 || counters_off != 0 || !same_frame;
+}
+
+bool CyclePoint::holds(bool stalls) const {
+  if (!stalls) return !is_off();
+  return error() <= kCycleErrorBound && retire.p99 <= kRetireP99Bound && counters_off == 0 &&
+         same_frame;
 }
 
 const RtlSpeed* CyclePoint::fastest() const {

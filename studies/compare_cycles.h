@@ -6,13 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "model/memory/kinds.h"
 #include "model/memory/stalls.h"
 #include "model/spec/structs.h"
 
 namespace pineda::studies {
 
+/// Where memories or ports stall, the model's cycles may be wrong by so much, as a share of the
+/// RTL's, and 99 % of the retirements by so many cycles.
+inline constexpr double kCycleErrorBound = .001;
+inline constexpr int64_t kRetireP99Bound = 4;
+
 struct CycleOptions {
-  int depth_latency_cycles = 8;
+  memory::Kind memory = memory::Kind::kIdeal;
+  int depth_latency_cycles = 8;  // of an ideal memory
   memory::StallMode stall_mode = memory::StallMode::kNone;
   uint64_t seed = 0;                   // of the stalls
   int runs = 5;                        // the median of so many is the speed; 0: not measured
@@ -43,6 +50,9 @@ struct CyclePoint {
   int64_t rtl_cycles = 0;
   bool same_frame = false;  // depth and colours of model and RTL
   RetireErrors retire;
+  size_t counters = 0;                   // compared
+  size_t counters_off = 0;               // of them: those that differ
+  std::array<char, 32> first_counter{};  // the name of the first of these
   // Medians of CPU seconds a frame; 0: not measured. Nothing is loaded, packed or elaborated in
   // them.
   double time_seconds = 0;  // the model, only what time depends on
@@ -52,17 +62,21 @@ struct CyclePoint {
 
   /// |model - RTL| of the frame's cycles, as a share of the RTL's.
   double error() const;
+  /// A cycle, a retirement, a counter or the frame differs.
+  bool is_off() const;
+  /// Where nothing stalls nothing is off; elsewhere all is within its bound, and counters and
+  /// frame are not off.
+  bool holds(bool stalls) const;
   /// The faster RTL; nullptr where none was measured.
   const RtlSpeed* fastest() const;
 };
 
-/// Cycles with the ordinary plug-in under a listener. Speed, where nobody stalls, with bench
-/// plug-ins (tb/bench_top.h); the runs of model and RTL take turns. All of it in a process of its
-/// own.
+/// Cycles and counters with the ordinary plug-in under a listener. Speed, where nobody stalls and
+/// the memory is ideal, with bench plug-ins (tb/bench_top.h); the runs of model and RTL take turns.
+/// All of it in a process of its own.
 ///
 /// Errors   tb::PluginError: the RTL cannot be had. tb::RtlError: the bare RTL takes other cycles
-/// or
-///          draws another frame than the ordinary one, or one of them broke its own rules.
+///          or draws another frame than the ordinary one, or one of them broke its own rules.
 CyclePoint compare_cycles(const spec::Contract& contract, const spec::FrameState& frame,
                           const std::vector<spec::Triangle>& triangles,
                           const CycleOptions& options);

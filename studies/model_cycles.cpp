@@ -13,12 +13,7 @@ int64_t run(const spec::Contract& contract, const spec::FrameState& frame,
             const std::vector<spec::Triangle>& triangles) {
   timing::RasterTop top("raster_top", contract);
   top.set_depth_latency_cycles(contract.design.depth_latency_cycles);
-  const auto pull = [&triangles, i = size_t{0}](spec::Triangle* triangle) mutable {
-    if (i == triangles.size()) return false;
-    *triangle = triangles[i++];
-    return true;
-  };
-  return top.run(frame, pull).cycles;
+  return top.run(frame, triangles).cycles;
 }
 
 }  // namespace

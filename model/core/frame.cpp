@@ -49,7 +49,8 @@ Drop Renderer::draw(const spec::Triangle& triangle) {
       continue;
     }
     counters_.tiles_accepted += cover_.accepted == 7 ? 1 : 0;
-    tiles_.cover_stamps(false, &cover_, &covered_);
+    tiles_.cover_stamps(false, &cover_, nullptr);
+    covered_.add(cover_.covered);
     shader_.count_hits(cover_, &buffer_);
     shader_.draw(cover_, &buffer_);
   }

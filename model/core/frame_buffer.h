@@ -40,6 +40,16 @@ struct FrameBuffer {
     }
   }
 
+  /// Asks the caches for the samples from (x, top) to (x, bottom) and those to their right, ahead
+  /// of a draw.
+  void prefetch(int x, int top, int bottom, bool with_color) const {
+    size_t sample = static_cast<size_t>(top) * static_cast<size_t>(width) + static_cast<size_t>(x);
+    for (int y = top; y <= bottom; ++y, sample += static_cast<size_t>(width)) {
+      __builtin_prefetch(depth.data() + sample, 1);
+      if (with_color) __builtin_prefetch(color.data() + sample * static_cast<size_t>(channels), 1);
+    }
+  }
+
   /// Depth codes of a stamp at the lanes of `mask`; 0 in the others.
   spec::DepthData read(const spec::Contract& contract, int x, int y, uint32_t mask) const;
   void write(const spec::Contract& contract, const spec::DepthWrite& write);

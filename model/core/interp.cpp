@@ -55,13 +55,11 @@ void for_each_lane(const Contract& c, const Stamp& stamp, uint32_t lanes, Visito
 }
 
 template <class Write>
-Write addressed(const Stamp& stamp, uint32_t mask) {
-  Write write;
-  write.id = stamp.id;
-  write.x = stamp.x;
-  write.y = stamp.y;
-  write.mask = mask;
-  return write;
+void address(const Stamp& stamp, uint32_t mask, Write* write) {
+  write->id = stamp.id;
+  write->x = stamp.x;
+  write->y = stamp.y;
+  write->mask = mask;
 }
 
 }  // namespace
@@ -155,7 +153,8 @@ uint32_t depth_test(const Contract& c, DepthFunc func, uint32_t mask,
 
 DepthWrite depth_write(const Contract& c, const Stamp& stamp, const Fragment& fragment,
                        uint32_t passed) {
-  auto write = addressed<DepthWrite>(stamp, passed);
+  DepthWrite write;
+  address(stamp, passed, &write);
   for (int lane = 0; lane < c.width.lanes; ++lane) {
     const auto l = static_cast<size_t>(lane);
     if ((passed >> lane & 1) != 0) write.z[l] = fragment.z[l];
@@ -165,13 +164,24 @@ DepthWrite depth_write(const Contract& c, const Stamp& stamp, const Fragment& fr
 
 ColorWrite color_write(const Contract& c, const Stamp& stamp, const Fragment& fragment,
                        uint32_t passed) {
-  auto write = addressed<ColorWrite>(stamp, passed);
-  for (int lane = 0; lane < c.width.lanes; ++lane) {
-    const auto l = static_cast<size_t>(lane);
-    if ((passed >> lane & 1) != 0) write.attr[l] = fragment.attr[l];
-  }
-  std::copy_n(stamp.planes.flat.begin(), c.design.flat_attributes, write.flat.begin());
+  ColorWrite write;
+  color_write(c, stamp, fragment, passed, &write);
   return write;
+}
+
+void color_write(const Contract& c, const Stamp& stamp, const Fragment& fragment, uint32_t passed,
+                 ColorWrite* write) {
+  address(stamp, passed, write);
+  const auto attributes = static_cast<size_t>(c.design.attributes);
+  for (size_t lane = 0; lane < static_cast<size_t>(c.width.lanes); ++lane) {
+    auto& attr = write->attr[lane];
+    if ((passed >> lane & 1) != 0) {
+      std::copy_n(fragment.attr[lane].begin(), attributes, attr.begin());
+    } else {
+      std::fill_n(attr.begin(), attributes, 0);
+    }
+  }
+  std::copy_n(stamp.planes.flat.begin(), c.design.flat_attributes, write->flat.begin());
 }
 
 }  // namespace pineda::core

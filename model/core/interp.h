@@ -54,10 +54,13 @@ uint32_t depth_test(const spec::Contract& contract, spec::DepthFunc func, uint32
                     const std::array<uint32_t, spec::kMaxLanes>& z,
                     const std::array<uint32_t, spec::kMaxLanes>& stored);
 
-/// The two writes of a stamp whose lanes `passed` (not empty) survive the test.
+/// The two writes of a stamp whose lanes `passed` (not empty) survive the test; *write may be one
+/// of the same design before.
 spec::DepthWrite depth_write(const spec::Contract& contract, const spec::Stamp& stamp,
                              const spec::Fragment& fragment, uint32_t passed);
 spec::ColorWrite color_write(const spec::Contract& contract, const spec::Stamp& stamp,
                              const spec::Fragment& fragment, uint32_t passed);
+void color_write(const spec::Contract& contract, const spec::Stamp& stamp,
+                 const spec::Fragment& fragment, uint32_t passed, spec::ColorWrite* write);
 
 }  // namespace pineda::core

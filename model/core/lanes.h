@@ -10,6 +10,9 @@ namespace pineda::core {
 typedef int32_t Int32x8 __attribute__((vector_size(32)));
 typedef uint32_t Uint32x8 __attribute__((vector_size(32)));
 typedef int64_t Int64x8 __attribute__((vector_size(64)));
+typedef int32_t Int32x4 __attribute__((vector_size(16)));  // four attributes
+typedef int64_t Int64x4 __attribute__((vector_size(32)));
+typedef uint64_t Uint64x4 __attribute__((vector_size(32)));
 
 inline constexpr Int32x8 kLaneNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
 inline constexpr Uint32x8 kLaneBits = {1, 2, 4, 8, 16, 32, 64, 128};

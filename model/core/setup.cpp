@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/core/lanes.h"
+
 namespace pineda::core {
 
 using spec::Contract;
@@ -80,6 +82,10 @@ int32_t edge_low(const Contract& c, const Vertex& u, const Vertex& w, int64_t x,
                               ((int64_t{1} << c.design.subpixel_bits) - 1));
 }
 
+// In canonical order.
+using Vertices = std::array<const Vertex*, 3>;
+using VertexAttributes = std::array<const spec::Attributes*, 3>;
+
 // What the planes of one triangle share.
 struct PlaneSetup {
   Reciprocal reciprocal;
@@ -102,12 +108,16 @@ Numerators<Integer> numerators(const PlaneSetup& s, const std::array<int64_t, 3>
   return {d1 * s.dy[1] - d2 * s.dy[0], d2 * s.dx[0] - d1 * s.dx[1]};
 }
 
-// numerator * 2^(S - fraction_bits) / area2 in units of 2^-f.
+// What numerator * mantissa is shifted by to be numerator * 2^(S - fraction_bits) / area2 in units
+// of 2^-f.
+int gradient_shift(const Contract& c, const Reciprocal& reciprocal, int fraction_bits, int f) {
+  return c.design.reciprocal_bits + reciprocal.length - 1 - f - c.design.subpixel_bits +
+         fraction_bits;
+}
 int128_t gradient(const Contract& c, const Reciprocal& reciprocal, int128_t numerator,
                   int fraction_bits, int f) {
-  const int shift =
-      c.design.reciprocal_bits + reciprocal.length - 1 - f - c.design.subpixel_bits + fraction_bits;
-  return round_half_up(numerator * reciprocal.mantissa, shift);
+  return round_half_up(numerator * reciprocal.mantissa,
+                       gradient_shift(c, reciprocal, fraction_bits, f));
 }
 
 // Plane through (0, value[0]) at the anchor and the two other vertices; values have
@@ -140,6 +150,54 @@ Plane plane(const Contract& c, const PlaneSetup& s, const std::array<int64_t, 3>
   return p;
 }
 
+// Whether 64 bits hold all of a gradient of an attribute before it wraps, and what the reference
+// needs; length <= 2 * span.
+bool has_narrow_attributes(const Contract& c) {
+  const Reciprocal longest{0, c.width.area2 - 1};
+  return c.width.attr_numerator + c.design.reciprocal_bits <= 62 &&
+         gradient_shift(c, longest, 0, c.design.gradient_fraction_bits) <= 62 &&
+         c.width.attr_plane + c.design.subpixel_bits <= 64;
+}
+
+PINEDA_INLINE void wrap_each(int bits, Int64x4* v) {
+  *v = reinterpret_cast<Int64x4>(reinterpret_cast<Uint64x4>(*v) << (64 - bits)) >> (64 - bits);
+}
+
+// plane() of all attributes of such a design, four at a time.
+PINEDA_CLONES void narrow_planes(const Contract& c, const PlaneSetup& s,
+                                 const VertexAttributes& attr,
+                                 std::array<Plane, spec::kMaxAttributes>* planes) {
+  const int f = c.design.gradient_fraction_bits;
+  const int subpixel_bits = c.design.subpixel_bits;
+  const int bits = c.width.attr_plane;
+  const int shift = gradient_shift(c, s.reciprocal, 0, f);
+  const int64_t half = shift == 0 ? 0 : int64_t{1} << (shift - 1);
+  const auto n = static_cast<size_t>(c.design.attributes);
+  for (size_t i = 0; i < n; i += 4) {
+    std::array<Int64x4, 3> value;
+    for (size_t v = 0; v < 3; ++v) {
+      Int32x4 narrow;
+      std::memcpy(&narrow, attr[v]->data() + i, sizeof narrow);
+      value[v] = __builtin_convertvector(narrow, Int64x4);
+    }
+    const Int64x4 d1 = value[1] - value[0], d2 = value[2] - value[0];
+    Int64x4 dx = ((d1 * s.dy[1] - d2 * s.dy[0]) * s.reciprocal.mantissa + half) >> shift;
+    Int64x4 dy = ((d2 * s.dx[0] - d1 * s.dx[1]) * s.reciprocal.mantissa + half) >> shift;
+    // The reference may wrap on the way.
+    const auto at_ref = (reinterpret_cast<Uint64x4>(value[0]) << (f + subpixel_bits)) +
+                        reinterpret_cast<Uint64x4>(dx) * static_cast<uint64_t>(s.ref_x) +
+                        reinterpret_cast<Uint64x4>(dy) * static_cast<uint64_t>(s.ref_y) +
+                        (uint64_t{1} << (subpixel_bits - 1));
+    Int64x4 ref = reinterpret_cast<Int64x4>(at_ref) >> subpixel_bits;
+    wrap_each(bits, &dx);
+    wrap_each(bits, &dy);
+    wrap_each(bits, &ref);
+    for (size_t j = 0; j < std::min<size_t>(4, n - i); ++j) {
+      (*planes)[i + j] = {dx[j], dy[j], ref[j]};
+    }
+  }
+}
+
 // max(|dz/dx|, |dz/dy|) in units of 2^-8 codes/px, saturated.
 int128_t depth_magnitude(const Contract& c, const PlaneSetup& s, const std::array<int64_t, 3>& z) {
   const auto n = numerators<int128_t>(s, z);
@@ -159,10 +217,6 @@ int64_t depth_bias(const Contract& c, const FrameState& frame, int128_t magnitud
   const int128_t greatest = (int128_t{1} << (c.width.depth_bias - 1)) - 1;
   return static_cast<int64_t>(std::clamp(bias, -greatest - 1, greatest));
 }
-
-// In canonical order.
-using Vertices = std::array<const Vertex*, 3>;
-using VertexAttributes = std::array<const spec::Attributes*, 3>;
 
 spec::PerspectiveSet perspective_set(const Contract& c, const Vertices& v,
                                      const VertexAttributes& attr, int64_t x, int64_t y) {
@@ -191,6 +245,7 @@ void make_planes(const Contract& c, const FrameState& frame, const Vertices& v,
     }
   }
   if (wanted != Planes::kAll || c.design.perspective) return;
+  if (has_narrow_attributes(c)) return narrow_planes(c, s, attr, &set->attr);
   for (size_t i = 0; i < static_cast<size_t>(c.design.attributes); ++i) {
     set->attr[i] =
         plane<int64_t>(c, s, {(*attr[0])[i], (*attr[1])[i], (*attr[2])[i]}, 0, c.width.attr_plane);
@@ -206,7 +261,7 @@ const char* drop_name(Drop drop) {
 }
 
 Drop setup(const Contract& c, const FrameState& frame, const Triangle& triangle, SetupPrim* out,
-           Planes wanted) {
+           Planes planes) {
   int64_t area2 = doubled_area(triangle);
   if (area2 == 0) return Drop::kZeroArea;
   if ((frame.cull == spec::Cull::kBack && area2 > 0) ||
@@ -232,7 +287,7 @@ Drop setup(const Contract& c, const FrameState& frame, const Triangle& triangle,
   for (size_t i = 0; i < 3; ++i) {
     prim.edge[i] = edge_function(c, *v[i], *v[(i + 1) % 3], x, y);
   }
-  if (wanted == Planes::kNone) return Drop::kNone;
+  if (planes == Planes::kNone) return Drop::kNone;
 
   // Of each vertex in canonical order, or of the one that gives its own to all.
   const bool flat = frame.shade == spec::Shade::kFlat;
@@ -240,19 +295,19 @@ Drop setup(const Contract& c, const FrameState& frame, const Triangle& triangle,
   for (size_t i = 0; i < 3; ++i) attr[i] = flat ? &triangle.v[0].attr : &v[i]->attr;
   std::copy_n(triangle.v[0].attr.begin() + c.design.attributes, c.design.flat_attributes,
               prim.planes.flat.begin());
-  if (c.design.perspective && wanted == Planes::kAll)
+  if (c.design.perspective && planes == Planes::kAll)
     prim.planes.perspective = perspective_set(c, v, attr, x, y);
   if (c.design.reciprocal_scheme == spec::ReciprocalScheme::kNone ||
       spec::plane_count(c.design) == 0) {
     return Drop::kNone;
   }
 
-  const PlaneSetup planes{reciprocal(c, area2),
+  const PlaneSetup shared{reciprocal(c, area2),
                           {int64_t{v[1]->x} - v[0]->x, int64_t{v[2]->x} - v[0]->x},
                           {int64_t{v[1]->y} - v[0]->y, int64_t{v[2]->y} - v[0]->y},
                           x - v[0]->x,
                           y - v[0]->y};
-  make_planes(c, frame, v, attr, planes, wanted, &prim.planes);
+  make_planes(c, frame, v, attr, shared, planes, &prim.planes);
   return Drop::kNone;
 }
 

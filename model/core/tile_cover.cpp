@@ -27,7 +27,6 @@ uint64_t columns_between(int x0, int x1) {
 // every sample of it.
 template <class Vector, class Value>
 PINEDA_INLINE void cover_blocks(const Design& d, const TileEdges<Value>& edges, TileCover* cover) {
-  const int across = blocks_across(d);
   for (int x = cover->x0 & -kBlockPx; x <= cover->x1; x += kBlockPx) {
     const uint64_t columns =
         columns_between(std::max(cover->x0 - x, 0), std::min(cover->x1 - x, kBlockPx - 1));
@@ -46,8 +45,7 @@ PINEDA_INLINE void cover_blocks(const Design& d, const TileEdges<Value>& edges, 
         v1 += edges.b[1];
         v2 += edges.b[2];
       }
-      cover->covered.blocks[static_cast<size_t>(top / kBlockPx * across + x / kBlockPx)] =
-          bits.bits() & columns;
+      cover->covered.blocks[block_of(d, x, top)] = bits.bits() & columns;
     }
   }
 }
@@ -68,6 +66,7 @@ void fill(const Design& d, TileSamples* samples) {
   const int lanes = 1 << (d.stamp_width_log2 + d.stamp_height_log2);
   std::fill(samples->mask.begin(), samples->mask.end(), static_cast<uint16_t>((1u << lanes) - 1));
   samples->count = static_cast<int>(samples->mask.size());
+  samples->sample_count = samples->count * lanes;
   samples->first = 0;
   samples->last = samples->count - 1;
   std::fill(samples->stamps.begin(), samples->stamps.end(),
@@ -116,20 +115,27 @@ uint64_t gather(uint64_t digits) {
   return (digits | digits >> 24) & 0xffff;
 }
 
-void find_quads(const TileCover& box, bool with_masks, TileSamples* samples, StampCounts* counts) {
+void find_quads(const TileCover& box, bool with_masks, TileSamples* samples,
+                StampsBySamples* by_samples) {
+  if (samples->blocks[0] == 0 && !with_masks) {
+    samples->stamps[0] = 0;
+    samples->count = samples->sample_count = 0;  // many tiles have none
+    return;
+  }
   const uint64_t digits = digits_of(samples->blocks[0]);
   uint64_t lanes = digits - (digits >> 1 & 5 * kOnes);
   lanes = (lanes & 3 * kOnes) + (lanes >> 2 & 3 * kOnes);
   const uint64_t bit0 = lanes & kOnes, bit1 = lanes >> 1 & kOnes, bit2 = lanes >> 2 & kOnes;
   const uint64_t n1 = count_ones(bit0 & ~bit1), n2 = count_ones(bit1 & ~bit0);
   const uint64_t n3 = count_ones(bit0 & bit1), n4 = count_ones(bit2);
-  counts->by_samples[1] += n1;
-  counts->by_samples[2] += n2;
-  counts->by_samples[3] += n3;
-  counts->by_samples[4] += n4;
+  if (by_samples != nullptr) {
+    (*by_samples)[1] += n1;
+    (*by_samples)[2] += n2;
+    (*by_samples)[3] += n3;
+    (*by_samples)[4] += n4;
+  }
   samples->count = static_cast<int>(n1 + n2 + n3 + n4);
-  counts->stamps += n1 + n2 + n3 + n4;
-  counts->samples += n1 + 2 * n2 + 3 * n3 + 4 * n4;
+  samples->sample_count = static_cast<int>(n1 + 2 * n2 + 3 * n3 + 4 * n4);
 
   const uint64_t places = gather(bit0 | bit1 | bit2) >> (4 * box.row0);
   uint64_t stamps = places;
@@ -175,20 +181,19 @@ TileSamples::TileSamples(const Design& d)
 }
 
 void find_stamps(const Design& d, const TileCover& box, bool with_masks, TileSamples* samples,
-                 StampCounts* counts) {
+                 StampsBySamples* by_samples) {
   if (d.tile_log2 == 3 && d.stamp_width_log2 == 1 && d.stamp_height_log2 == 1) {
-    return find_quads(box, with_masks, samples, counts);
+    return find_quads(box, with_masks, samples, by_samples);
   }
-  const int across = blocks_across(d);
   const int w_log2 = d.stamp_width_log2;
   const int h = 1 << d.stamp_height_log2;
   const uint64_t lanes = (1u << (1 << w_log2)) - 1;
   std::fill(samples->stamps.begin(), samples->stamps.end(), 0);
-  samples->count = 0;
+  samples->count = samples->sample_count = 0;
   int test = 0;
   for (int row = box.row0; row < box.row0 + box.rows; ++row) {
     const int y = row << d.stamp_height_log2;
-    const uint64_t* const blocks = &samples->blocks[static_cast<size_t>(y / kBlockPx * across)];
+    const uint64_t* const blocks = &samples->blocks[block_of(d, 0, y)];
     for (int column = box.column0; column < box.column0 + box.columns; ++column, ++test) {
       const int x = column << w_log2;
       uint64_t rows = blocks[x / kBlockPx] >> (y % kBlockPx * kBlockPx + x % kBlockPx);
@@ -202,11 +207,10 @@ void find_stamps(const Design& d, const TileCover& box, bool with_masks, TileSam
       samples->stamps[static_cast<size_t>(test) / 64] |= uint64_t{1} << (test % 64);
       ++samples->count;
       const int n = count_lanes(static_cast<uint32_t>(bits));
-      counts->samples += static_cast<uint64_t>(n);
-      ++counts->by_samples[static_cast<size_t>(n)];
+      samples->sample_count += n;
+      if (by_samples != nullptr) ++(*by_samples)[static_cast<size_t>(n)];
     }
   }
-  counts->stamps += static_cast<uint64_t>(samples->count);
   finish(samples, box.tests());
 }
 
@@ -253,9 +257,8 @@ TileWalk::Test TileCoverWalk::next(TileCover* cover) {
   if (x_ < last_x_) {
     ++x_;
     for (size_t i = 0; i < 3; ++i) edge_[i] += prim_->edge[i].a * (int64_t{1} << log2);
-  } else {
+  } else if (++y_ <= last_y_) {
     x_ = first_x_;
-    ++y_;
     for (size_t i = 0; i < 3; ++i) {
       row_edge_[i] += prim_->edge[i].b * (int64_t{1} << log2);
       edge_[i] = row_edge_[i];
@@ -264,17 +267,17 @@ TileWalk::Test TileCoverWalk::next(TileCover* cover) {
   return rejected ? TileWalk::Test::kRejected : TileWalk::Test::kKept;
 }
 
-void TileCoverWalk::cover_stamps(bool with_masks, TileCover* cover, StampCounts* counts) const {
+void TileCoverWalk::cover_stamps(bool with_masks, TileCover* cover,
+                                 StampsBySamples* by_samples) const {
   const Design& d = contract_.design;
   const int last = (1 << d.tile_log2) - 1;
   if (cover->accepted == 7 && cover->x1 - cover->x0 == last && cover->y1 - cover->y0 == last) {
     if (!cover->full) fill(d, &cover->covered);
     cover->full = true;
-    const auto stamps = static_cast<uint64_t>(cover->covered.count);
-    const auto lanes = static_cast<size_t>(contract_.width.lanes);
-    counts->stamps += stamps;
-    counts->samples += stamps * lanes;
-    counts->by_samples[lanes] += stamps;
+    if (by_samples != nullptr) {
+      (*by_samples)[static_cast<size_t>(contract_.width.lanes)] +=
+          static_cast<uint64_t>(cover->covered.count);
+    }
     return;
   }
   cover->full = false;
@@ -286,7 +289,7 @@ void TileCoverWalk::cover_stamps(bool with_masks, TileCover* cover, StampCounts*
   } else {
     cover_wide(d, tile_edges<int64_t>(*prim_, kept_, cover->accepted), cover);
   }
-  find_stamps(d, *cover, with_masks, &cover->covered, counts);
+  find_stamps(d, *cover, with_masks, &cover->covered, by_samples);
 }
 
 }  // namespace pineda::core

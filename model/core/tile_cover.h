@@ -14,6 +14,12 @@ constexpr int blocks_across(const spec::Design& d) {
   return d.tile_log2 <= 3 ? 1 : 1 << (d.tile_log2 - 3);
 }
 
+/// The block of the sample in column x, row y of a tile.
+constexpr size_t block_of(const spec::Design& d, int x, int y) {
+  return static_cast<size_t>(y / kBlockPx) * static_cast<size_t>(blocks_across(d)) +
+         static_cast<size_t>(x / kBlockPx);
+}
+
 /// Some samples of a tile, and the stamps that have one.
 struct TileSamples {
   std::vector<uint64_t> blocks;  // row by row; bit 8*y + x is the block's sample in column x, row y
@@ -22,8 +28,9 @@ struct TileSamples {
   std::vector<uint64_t> stamps;  // a bit each: it has one of the samples
   std::vector<uint16_t> mask;    // if asked for: a bit a lane
 
-  int count = 0;  // stamps that have one
-  int first = 0;  // stamp tests of the first and the last of them
+  int count = 0;         // stamps that have one
+  int sample_count = 0;  // of all of them
+  int first = 0;         // stamp tests of the first and the last of them
   int last = 0;
 
   explicit TileSamples(const spec::Design& design);
@@ -44,8 +51,15 @@ struct TileSamples {
 struct StampCounts {
   uint64_t stamps = 0;
   uint64_t samples = 0;
-  std::array<uint64_t, spec::kMaxLanes + 1> by_samples{};  // [0] stays 0
+
+  void add(const TileSamples& tile) {
+    stamps += static_cast<uint64_t>(tile.count);
+    samples += static_cast<uint64_t>(tile.sample_count);
+  }
 };
+
+/// Stamps by the number of their samples; [0] stays 0.
+using StampsBySamples = std::array<uint64_t, spec::kMaxLanes + 1>;
 
 /// A tile that no edge rejects, with the coverage of its stamps.
 struct TileCover {
@@ -60,18 +74,22 @@ struct TileCover {
 
   explicit TileCover(const spec::Contract& contract) : covered(contract.design) {}
   int tests() const { return columns * rows; }
-  /// Number of a test's stamp in the whole tile, row by row, which is 2^columns_log2 stamps wide.
-  int place(int test, int columns_log2) const {
-    if (columns == 1 << columns_log2) return (row0 << columns_log2) + test;
-    const auto n = static_cast<unsigned>(columns);
-    const auto k = static_cast<unsigned>(test);
-    return ((row0 + static_cast<int>(k / n)) << columns_log2) + column0 + static_cast<int>(k % n);
+  /// Calls visit(test, place) for each stamp that has a sample; place: its number in the whole
+  /// tile, row by row, which is 2^columns_log2 stamps wide.
+  template <class Visitor>
+  void for_each_stamp(const TileSamples& samples, int columns_log2, Visitor&& visit) const {
+    int row_end = columns;  // the first test of the next row
+    int place = (row0 << columns_log2) + column0;
+    samples.for_each_stamp([&](int test) {
+      for (; test >= row_end; row_end += columns) place += (1 << columns_log2) - columns;
+      visit(test, place + test);
+    });
   }
 };
 
-/// Finds the stamps in the box from the blocks, and adds them to *counts.
+/// Finds the stamps in the box from the blocks, and adds them to *by_samples, if that is there.
 void find_stamps(const spec::Design& design, const TileCover& box, bool with_masks,
-                 TileSamples* samples, StampCounts* counts);
+                 TileSamples* samples, StampsBySamples* by_samples);
 
 /// Samples of a stamp, up to 16. (A call of its own would cost more than it counts.)
 inline int count_lanes(uint32_t mask) {
@@ -94,8 +112,8 @@ class TileCoverWalk {
 
   void begin(const spec::SetupPrim& prim);
   TileWalk::Test next(TileCover* cover);
-  /// Of the tile that next() kept last; adds its stamps to *counts.
-  void cover_stamps(bool with_masks, TileCover* cover, StampCounts* counts) const;
+  /// Of the tile that next() kept last; adds its stamps to *by_samples, if that is there.
+  void cover_stamps(bool with_masks, TileCover* cover, StampsBySamples* by_samples) const;
 
  private:
   spec::Contract contract_;

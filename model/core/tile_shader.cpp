@@ -86,7 +86,7 @@ PINEDA_INLINE void for_each_block(const spec::Design& d, const TileCover& cover,
       const int top = (cover.y << d.tile_log2) + y;
       const Rows rows{x, y, std::min({kBlockPx, 1 << d.tile_log2, buffer.width - left}),
                       static_cast<size_t>(top) * width + static_cast<size_t>(left), width};
-      visit(rows, static_cast<size_t>(y / kBlockPx * blocks_across(d) + x / kBlockPx));
+      visit(rows, block_of(d, x, y));
     }
   }
 }
@@ -130,11 +130,22 @@ PINEDA_INLINE uint64_t test_block(const DepthTest& test, const Rows& at, uint64_
   return passed.bits();
 }
 
-PINEDA_CLONES void test_tile(const spec::Design& d, const DepthTest& test, const TileCover& cover,
-                             FrameBuffer* buffer, TileSamples* passed) {
+/// Which samples of a block passed or failed, all blocks of a tile together.
+struct Outcome {
+  uint64_t passed = 0;
+  uint64_t failed = 0;
+};
+
+PINEDA_CLONES Outcome test_tile(const spec::Design& d, const DepthTest& test,
+                                const TileCover& cover, FrameBuffer* buffer, TileSamples* samples) {
+  Outcome outcome;
   for_each_block(d, cover, *buffer, [&](const Rows& at, size_t block) PINEDA_INLINED {
-    passed->blocks[block] = test_block(test, at, cover.covered.blocks[block], buffer->depth.data());
+    const uint64_t covered = cover.covered.blocks[block];
+    samples->blocks[block] = test_block(test, at, covered, buffer->depth.data());
+    outcome.passed |= samples->blocks[block];
+    outcome.failed |= samples->blocks[block] ^ covered;
   });
+  return outcome;
 }
 
 PINEDA_CLONES void count_tile(const spec::Design& d, const TileCover& cover, FrameBuffer* buffer) {
@@ -291,9 +302,10 @@ void TileShader::draw(const TileCover& cover, FrameBuffer* buffer) {
   if (tests_depth(contract_, frame_)) {
     test_depth(cover, buffer);
   } else {
-    passed_ = cover.covered;
-    find_stamps(contract_.design, cover, with_masks_, &passed_, &counts_);
+    passed_.blocks = cover.covered.blocks;
+    pass_all(cover);
   }
+  counts_.add(passed_);
   const bool colors = values_ == Values::kAll && spec::channels(contract_.design) > 0;
   if (!colors || passed_.count == 0) return;
   if (contract_.design.perspective) {
@@ -310,8 +322,21 @@ void TileShader::test_depth(const TileCover& cover, FrameBuffer* buffer) {
   const DepthTest test{
       z_, Coder<int64_t>(bits, d.tile_fraction_bits, d.depth_bits, prim_->planes.z_bias), when_,
       frame_.depth_write};
-  test_tile(d, test, cover, buffer, &passed_);
-  find_stamps(d, cover, with_masks_, &passed_, &counts_);
+  const Outcome outcome = test_tile(d, test, cover, buffer, &passed_);
+  if (outcome.failed == 0) return pass_all(cover);
+  if (outcome.passed != 0) return find_stamps(d, cover, with_masks_, &passed_, nullptr);
+  passed_.count = passed_.sample_count = 0;
+  std::fill(passed_.stamps.begin(), passed_.stamps.end(), 0);
+}
+
+// The blocks are those covered already.
+void TileShader::pass_all(const TileCover& cover) {
+  if (with_masks_) return find_stamps(contract_.design, cover, true, &passed_, nullptr);
+  passed_.stamps = cover.covered.stamps;
+  passed_.count = cover.covered.count;
+  passed_.sample_count = cover.covered.sample_count;
+  passed_.first = cover.covered.first;
+  passed_.last = cover.covered.last;
 }
 
 void TileShader::draw_affine(const TileCover& cover, FrameBuffer* buffer) {
@@ -344,13 +369,13 @@ void TileShader::draw_perspective(const TileCover& cover, FrameBuffer* buffer) {
   stamp_.planes.perspective = prim_->planes.perspective;
   stamp_.planes.flat = prim_->planes.flat;
   const int columns_log2 = d.tile_log2 - d.stamp_width_log2;
-  passed_.for_each_stamp([&](int test) {
+  cover.for_each_stamp(passed_, columns_log2, [&](int test, int place) {
     const uint32_t passed = passed_.mask[static_cast<size_t>(test)];
-    const int place = cover.place(test, columns_log2);
     stamp_.x = (cover.x << columns_log2) + (place & ((1 << columns_log2) - 1));
     stamp_.y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2);
     interpolate_attributes(contract_, stamp_, passed, &fragment_);
-    buffer->write(contract_, color_write(contract_, stamp_, fragment_, passed));
+    color_write(contract_, stamp_, fragment_, passed, &color_);
+    buffer->write(contract_, color_);
   });
 }
 

@@ -39,6 +39,7 @@ class TileShader {
   // Its reference, at the first sample of a tile.
   int64_t reference(const spec::Plane& plane, int x, int y, int plane_bits, int tile_bits) const;
   void test_depth(const TileCover& cover, FrameBuffer* buffer);
+  void pass_all(const TileCover& cover);
   void draw_affine(const TileCover& cover, FrameBuffer* buffer);
   void draw_perspective(const TileCover& cover, FrameBuffer* buffer);
 
@@ -52,8 +53,10 @@ class TileShader {
   PassesWhen when_;
   TileSamples passed_;
   StampCounts counts_;
-  spec::Stamp stamp_;        // perspective
-  spec::Fragment fragment_;  // perspective
+  // Perspective
+  spec::Stamp stamp_;
+  spec::Fragment fragment_;
+  spec::ColorWrite color_;
 };
 
 }  // namespace pineda::core

@@ -102,6 +102,13 @@ void MeshReader::set_w(const std::array<const ClipVertex*, 3>& corners,
   }
 }
 
+uint64_t MeshReader::skip(uint64_t triangles) {
+  polygon_.size = 0;
+  const uint64_t skipped = std::min<uint64_t>(triangles, triangles_.size() - next_);
+  next_ += skipped;
+  return skipped;
+}
+
 bool MeshReader::read(ScreenTriangle* triangle, Counters* counters) {
   const bool has_piece = polygon_.size != 0 && piece_ + 2 < polygon_.size;
   if (!has_piece && !next_polygon(counters)) return false;

@@ -20,6 +20,8 @@ class MeshReader final : public ScreenReader {
 
   bool read(ScreenTriangle* triangle, Counters* counters) override;
   void rewind() override;
+  std::optional<uint64_t> size() const override { return triangles_.size(); }
+  uint64_t skip(uint64_t triangles) override;
 
  private:
   bool next_polygon(Counters* counters);

@@ -166,6 +166,21 @@ bool PtrbReader::read(ScreenTriangle* triangle, Counters* counters) {
   return true;
 }
 
+uint64_t PtrbReader::skip(uint64_t triangles) {
+  const uint64_t skipped = std::min(triangles, header_.triangles - next_);
+  const uint64_t buffered =
+      std::min<uint64_t>(skipped, (buffer_.size() - position_) / header_.triangle_bytes());
+  position_ += static_cast<size_t>(buffered) * header_.triangle_bytes();
+  const auto bytes = static_cast<std::streamsize>((skipped - buffered) * header_.triangle_bytes());
+  if (can_rewind_) {
+    stream_->seekg(bytes, std::ios::cur);
+  } else {
+    stream_->ignore(bytes);  // an end too early is found when the next triangle is read
+  }
+  next_ += skipped;
+  return skipped;
+}
+
 std::shared_ptr<std::istream> spool_ptrb(const spec::Contract& contract, const std::string& file,
                                          std::istream& stream, uint64_t* bytes) {
   const HeaderBytes header = read_header(stream, file);

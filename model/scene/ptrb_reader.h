@@ -36,6 +36,9 @@ class PtrbReader final : public ScreenReader {
   const spec::FrameState& frame() const { return header_.frame; }
   bool read(ScreenTriangle* triangle, Counters* counters) override;
   void rewind() override;
+  std::optional<uint64_t> size() const override { return header_.triangles; }
+  /// In a file without reading it.
+  uint64_t skip(uint64_t triangles) override;
 
  private:
   void refill();

@@ -27,6 +27,8 @@ class Unsnapped final : public ScreenReader {
     return is_one;
   }
   void rewind() override { source_->rewind(); }
+  std::optional<uint64_t> size() const override { return source_->size(); }
+  uint64_t skip(uint64_t triangles) override { return source_->skip(triangles); }
 
  private:
   std::unique_ptr<SnappedSource> owned_;

@@ -1,11 +1,13 @@
 // Triangles after the viewport transform and before snapping: what .tri and .ptrb hold.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,19 @@ class ScreenReader {
   virtual ~ScreenReader() = default;
   virtual bool read(ScreenTriangle* triangle, Counters* counters) = 0;
   virtual void rewind() = 0;
+
+  /// Triangles of the scene, if that is known without reading it.
+  virtual std::optional<uint64_t> size() const { return std::nullopt; }
+  /// Leaves out so many triangles, and what is left of one that is handed out in pieces. They are
+  /// neither counted nor looked at more closely than finding the next one takes. Returns how many
+  /// there were: fewer at the end. As it stands here, for readers without pieces.
+  virtual uint64_t skip(uint64_t triangles) {
+    Counters none;
+    ScreenTriangle triangle;
+    uint64_t skipped = 0;
+    while (skipped < triangles && read(&triangle, &none)) ++skipped;
+    return skipped;
+  }
 };
 
 /// Screen triangles from memory.
@@ -50,6 +65,12 @@ class ListReader final : public ScreenReader {
     return true;
   }
   void rewind() override { next_ = 0; }
+  std::optional<uint64_t> size() const override { return triangles_.size(); }
+  uint64_t skip(uint64_t triangles) override {
+    const uint64_t skipped = std::min<uint64_t>(triangles, triangles_.size() - next_);
+    next_ += skipped;
+    return skipped;
+  }
 
  private:
   std::vector<ScreenTriangle> triangles_;

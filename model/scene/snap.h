@@ -48,6 +48,11 @@ class SnappedSource final : public TriangleSource {
   bool next(spec::Triangle* triangle) override;
   void rewind() override;
 
+  /// Triangles of the scene as read, if that is known without reading it.
+  std::optional<uint64_t> size() const { return reader_->size(); }
+  /// Leaves out so many triangles as read, uncounted: see ScreenReader::skip().
+  uint64_t skip(uint64_t triangles) { return reader_->skip(triangles); }
+
   /// The floats that the last triangle was snapped from.
   const ScreenTriangle& screen() const { return screen_; }
 

@@ -163,6 +163,7 @@ std::string range_reason(const Design& d) {
         outside("stamp_fifo_depth", d.stamp_fifo_depth, 1, 1024),
         outside("stamp_width_log2", d.stamp_width_log2, 0, 2),
         outside("stamp_height_log2", d.stamp_height_log2, 0, 2),
+        outside("max_depth_latency_cycles", d.max_depth_latency_cycles, 1, 1024),
         outside("depth_latency_cycles", d.depth_latency_cycles, 1, d.max_depth_latency_cycles)}) {
     if (!reason.empty()) return reason;
   }

@@ -33,9 +33,13 @@ struct Frame {
   // Stamps are made with all that they carry: somebody looks at them, or the memories want them one
   // by one. Else values are computed by whole tiles.
   bool tokens = false;
+  // Else the contents of the memories, which are always ready and answer after this latency.
+  core::FrameBuffer* buffer = nullptr;
+  Cycle depth_latency = 0;
   bool has_values = true;  // stamps are drawn as they come; else only their time is known
   core::FrameCounters counters;
   core::StampCounts stamps;  // sent
+  core::StampsBySamples stamps_by_samples{};
   std::array<Cycle, kMemoryPorts> port_stalls{};
   core::Planes planes = core::Planes::kAll;  // what setup makes
   LastWrite* last_write = nullptr;           // depths wait until somebody needs them

@@ -40,16 +40,19 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
     shader_.emplace(contract_, frame->state,
                     all ? core::TileShader::Values::kAll : core::TileShader::Values::kDepth);
     tile_free_.assign(tiles, 0);
-    pass_cycles_ = !d.depth_test ? 1 : !tests_ ? 3 : std::max<Cycle>(2, direct_latency_ + 1) + 1;
+    pass_cycles_ = !d.depth_test ? 1
+                   : !tests_     ? 3
+                                 : std::max<Cycle>(2, frame->depth_latency + 1) + 1;
     return;
   }
-  stored_.clear();
-  colored_.clear();
   register_ = {};
   pending_.assign(address_free_.size(), 0);
   accepted_count_ = retired_count_ = entered_count_ = exit_count_ = 0;
   slot_free_.assign(static_cast<size_t>(contract_.width.inflight_stamps), 0);
   exits_.assign(static_cast<size_t>(contract_.width.attribute_cycles) + 1, -1);
+  // Those in flight, and one that has retired while its colours wait in the register.
+  stored_.reset(slot_free_.size() + 1);
+  colored_.reset(exits_.size());
 }
 
 Cycle InterpZtestUnit::take(const StampToken& stamp, Cycle visible) {
@@ -107,8 +110,8 @@ bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
   if (cover.full) {
     for (int test = 0; test < covered.count; ++test) free[test] = retire + test + 1;
   } else {
-    covered.for_each_stamp(
-        [&](int test) { free[cover.place(test, columns_log2_)] = retire + test + 1; });
+    cover.for_each_stamp(covered, columns_log2_,
+                         [&](int test, int place) { free[place] = retire + test + 1; });
   }
   if (frame_->last_write != nullptr) {
     frame_->last_write->run(cover.x, cover.y, retire);
@@ -121,7 +124,7 @@ bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
 void InterpZtestUnit::draw(const TileToken& tile) {
   if (!frame_->has_values) return;
   shader_->begin(*tile.prim);
-  shader_->draw(*tile.cover, direct_);
+  shader_->draw(*tile.cover, frame_->buffer);
 }
 
 // The writes of a tile's stamps that passed; those of test 0 come, or would, in `retire`.
@@ -131,8 +134,8 @@ void InterpZtestUnit::pass_run(const core::TileCover& cover, Cycle retire) {
   if (frame_->hierarchical_z == nullptr) {
     pass(cover, 0, retire + passed.last);
   } else {
-    passed.for_each_stamp(
-        [&](int test) { pass(cover, cover.place(test, columns_log2_), retire + test); });
+    cover.for_each_stamp(passed, columns_log2_,
+                         [&](int test, int place) { pass(cover, place, retire + test); });
   }
 }
 
@@ -149,7 +152,7 @@ void InterpZtestUnit::pass(const core::TileCover& cover, int place, Cycle retire
 }
 
 uint32_t InterpZtestUnit::greatest_depth(int x, int y) const {
-  const auto z = direct_->read(contract_, x, y, inside(x, y)).z;
+  const auto z = frame_->buffer->read(contract_, x, y, inside(x, y)).z;
   return *std::max_element(z.begin(), z.end()) >>
          (contract_.design.depth_bits - contract_.design.hierarchical_z_bits);
 }
@@ -165,8 +168,8 @@ Cycle InterpZtestUnit::take_token(const StampToken& token, Cycle visible) {
   const Cycle accepted = accept(token, address, &data, &response);
   time_.work(1, token.id());
 
-  stored_.push_back(test(stamp, data));
-  Stored& stored = stored_.back();
+  Stored& stored = stored_.push();
+  test(stamp, data, &stored);
   stored.address = address;
   stored.data = !contract_.design.depth_test ? accepted
                 : tests_                     ? std::max(accepted + 2, response + 1)
@@ -183,10 +186,10 @@ Cycle InterpZtestUnit::accept(const StampToken& token, size_t address, spec::Dep
     return time_.now();
   }
   if (tests_) {
-    while (retired_count_ < pending_[address]) step(kForever);
+    wait_for(pending_[address]);
     time_.spend(Cause::kHazard, address_free_[address], token.id());
   }
-  while (accepted_count_ - retired_count_ == slot_free_.size()) step(kForever);
+  if (accepted_count_ >= slot_free_.size()) wait_for(accepted_count_ - slot_free_.size() + 1);
   time_.spend(Cause::kBlocked, slot_free_[accepted_count_ % slot_free_.size()], token.id());
   if (!tests_) return time_.now();
   const Cycle accepted = read(*token.tile->stamp, data, response);
@@ -208,23 +211,24 @@ Cycle InterpZtestUnit::read(const spec::Stamp& stamp, spec::DepthData* data, Cyc
   }
 }
 
-InterpZtestUnit::Stored InterpZtestUnit::test(const spec::Stamp& stamp,
-                                              const spec::DepthData& data) {
-  Stored stored{};
+void InterpZtestUnit::test(const spec::Stamp& stamp, const spec::DepthData& data, Stored* stored) {
   core::interpolate_depth(contract_, stamp, &fragment_);
-  stored.passed = core::depth_test(contract_, frame_->state.depth, stamp.mask, fragment_.z, data.z);
-  if (stored.passed == 0) return stored;
+  stored->passed =
+      core::depth_test(contract_, frame_->state.depth, stamp.mask, fragment_.z, data.z);
+  stored->writes = stored->passed != 0 && tests_ && frame_->state.depth_write;
+  if (stored->passed == 0) return;
   ++frame_->counters.interpolated;
-  frame_->counters.passed += static_cast<uint64_t>(core::count_lanes(stored.passed));
-  core::interpolate_attributes(contract_, stamp, stored.passed, &fragment_);
-  stored.color = core::color_write(contract_, stamp, fragment_, stored.passed);
-  stored.writes = tests_ && frame_->state.depth_write;
-  if (!stored.writes) return stored;
-  stored.depth = core::depth_write(contract_, stamp, fragment_, stored.passed);
-  if (frame_->hierarchical_z != nullptr) {
-    stored.greatest = core::depth_ceiling(contract_, fragment_, stored.passed, data.z);
+  frame_->counters.passed += static_cast<uint64_t>(core::count_lanes(stored->passed));
+  // Time depends on the address and the lanes alone.
+  if (frame_->planes == core::Planes::kAll) {
+    core::interpolate_attributes(contract_, stamp, stored->passed, &fragment_);
   }
-  return stored;
+  core::color_write(contract_, stamp, fragment_, stored->passed, &stored->color);
+  if (!stored->writes) return;
+  stored->depth = core::depth_write(contract_, stamp, fragment_, stored->passed);
+  if (frame_->hierarchical_z != nullptr) {
+    stored->greatest = core::depth_ceiling(contract_, fragment_, stored->passed, data.z);
+  }
 }
 
 uint32_t InterpZtestUnit::asked(const spec::Stamp& stamp) const {
@@ -261,10 +265,21 @@ void InterpZtestUnit::drain() {
   if (retired >= 0) exit_ = retired + contract_.width.attribute_cycles;
 }
 
-// Offers the earliest write, if that is before `until`.
+// Until so many stamps have retired and no further: a read may come before the writes after that.
+void InterpZtestUnit::wait_for(uint64_t retired) {
+  while (retired_count_ < retired) {
+    if (!turn()) offer(kForever);
+  }
+}
+
 bool InterpZtestUnit::step(Cycle until) {
   while (turn()) {
   }
+  return offer(until);
+}
+
+// Offers the earliest write, if that is before `until`.
+bool InterpZtestUnit::offer(Cycle until) {
   const Cycle write = register_.loaded && !register_.written ? register_.write_offered : kForever;
   const Cycle color = colored_.empty() ? kForever : colored_.front().offered;
   if (std::min(write, color) >= until) return false;
@@ -296,7 +311,9 @@ bool InterpZtestUnit::turn() {
   const Cycle latency = contract_.width.attribute_cycles;
   if (!r.entered && entered_count_ - exit_count_ < exits_.size()) {
     r.enter = std::max(r.offered, exits_[entered_count_++ % exits_.size()] + 1);
-    colored_.push_back({std::max(r.enter + latency, exit_ + 1), stored.color});
+    Colored& colored = colored_.push();
+    colored.offered = std::max(r.enter + latency, exit_ + 1);
+    colored.color = stored.color;
     r.entered = true;
     return true;
   }
@@ -305,7 +322,7 @@ bool InterpZtestUnit::turn() {
   if (!r.written || !left) return false;
   write_free_ = std::max(r.retire, latency > 0 || stored.passed == 0 ? r.enter : exit_);
   r.loaded = false;
-  stored_.pop_front();
+  stored_.pop();
   return true;
 }
 
@@ -326,7 +343,7 @@ void InterpZtestUnit::retire(Cycle cycle) {
 void InterpZtestUnit::exit(Cycle cycle) {
   exit_ = exits_[exit_count_++ % exits_.size()] = cycle;
   if (frame_->listener != nullptr) frame_->listener->color(cycle, colored_.front().color);
-  colored_.pop_front();
+  colored_.pop();
   if (!colored_.empty()) colored_.front().offered = std::max(colored_.front().offered, cycle + 1);
 }
 

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <deque>
 #include <optional>
 #include <vector>
 
 #include "model/timing/local_time.h"
 #include "model/timing/memory.h"
+#include "model/timing/ring.h"
 #include "model/timing/tokens.h"
 
 namespace pineda::timing {
@@ -66,12 +66,6 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
 
   InterpZtestUnit(sc_core::sc_module_name name, const spec::Contract& contract);
 
-  /// Memories that are always ready and answer after `latency`, with these contents; null: those
-  /// behind the ports. From the next frame on.
-  void set_direct(core::FrameBuffer* buffer, Cycle latency) {
-    direct_ = buffer;
-    direct_latency_ = latency;
-  }
   void begin_frame(Frame* frame);
   Cycle take(const StampToken& stamp, Cycle visible) override;
   bool take_run(const TileToken& tile, Cycle first_visible) override;
@@ -129,11 +123,13 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   Cycle take_token(const StampToken& token, Cycle visible);
   Cycle accept(const StampToken& token, size_t address, spec::DepthData* data, Cycle* response);
   Cycle read(const spec::Stamp& stamp, spec::DepthData* data, Cycle* response);
-  Stored test(const spec::Stamp& stamp, const spec::DepthData& stored);
+  void test(const spec::Stamp& stamp, const spec::DepthData& data, Stored* stored);
   // The lanes whose depths are read: those covered, for hierarchical z all in the frame.
   uint32_t asked(const spec::Stamp& stamp) const;
   uint32_t inside(int stamp_x, int stamp_y) const;
+  void wait_for(uint64_t retired);
   bool step(Cycle until);
+  bool offer(Cycle until);
   bool turn();
   void count_stall(MemoryPort port, Cycle cycles);
   void retire(Cycle cycle);
@@ -151,15 +147,13 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   Cycle retired_ = -1;               // the last depth write accepted
   Cycle exit_ = -1;                  // the last colour write accepted
 
-  core::FrameBuffer* direct_ = nullptr;
-  Cycle direct_latency_ = 0;
   std::optional<core::TileShader> shader_;
   Cycle pass_cycles_ = 0;         // C
   std::vector<Cycle> tile_free_;  // by tile: none of its stamps is in flight from this cycle on
 
-  std::deque<Stored> stored_;
+  Ring<Stored> stored_;
   Register register_;
-  std::deque<Colored> colored_;
+  Ring<Colored> colored_;
   std::vector<uint64_t> pending_;  // by address: the number of the last stamp there, from 1
   uint64_t accepted_count_ = 0;
   uint64_t retired_count_ = 0;

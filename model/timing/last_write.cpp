@@ -20,14 +20,23 @@ void LastWrite::begin_frame(const spec::FrameState& frame, core::FrameBuffer* bu
 
 void LastWrite::triangle(const spec::Triangle& t) {
   if (runs_.size() >= kKept) flush();
-  triangles_.push_back({Corner{t.v[0].x, t.v[0].y, t.v[0].z}, Corner{t.v[1].x, t.v[1].y, t.v[1].z},
-                        Corner{t.v[2].x, t.v[2].y, t.v[2].z}});
+  auto& corners = triangles_.emplace_back();
+  for (size_t i = 0; i < 3; ++i) {
+    corners[i].x = t.v[i].x;
+    corners[i].y = t.v[i].y;
+    corners[i].z = t.v[i].z;
+  }
 }
 
 void LastWrite::add(int tile_x, int tile_y, uint32_t irregular, Cycle retire) {
   const auto tile = static_cast<uint32_t>(tile_y * tile_columns_ + tile_x);
-  runs_.push_back(
-      {static_cast<uint32_t>(triangles_.size() - 1), tile, last_[tile], irregular, retire});
+  // Field by field: a copy of what was just put together would wait for it to reach the cache.
+  Run& run = runs_.emplace_back();
+  run.triangle = static_cast<uint32_t>(triangles_.size() - 1);
+  run.tile = tile;
+  run.before = last_[tile];
+  run.irregular = irregular;
+  run.retire = retire;
   last_[tile] = static_cast<uint32_t>(runs_.size() - 1);
 }
 
@@ -101,8 +110,7 @@ void LastWrite::test(Run* run) {
   core::TileCover cover(contract_);
   walk.begin(prim);
   walk.next(&cover);
-  core::StampCounts counts;
-  walk.cover_stamps(false, &cover, &counts);
+  walk.cover_stamps(false, &cover, nullptr);
   core::TileShader shader(contract_, frame, core::TileShader::Values::kDepth);
   shader.begin(prim);
   shader.draw(cover, buffer_);

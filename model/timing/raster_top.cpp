@@ -67,6 +67,19 @@ void RasterTop::set_ready(const Ready& ready) {
 }
 
 FrameResult RasterTop::run(const spec::FrameState& state, const Pull& pull, Listener* listener) {
+  spec::Triangle triangle;
+  return draw(
+      state, [&] { return pull(&triangle) ? &triangle : nullptr; }, listener);
+}
+
+FrameResult RasterTop::run(const spec::FrameState& state,
+                           const std::vector<spec::Triangle>& triangles, Listener* listener) {
+  size_t i = 0;
+  return draw(
+      state, [&] { return i < triangles.size() ? &triangles[i++] : nullptr; }, listener);
+}
+
+FrameResult RasterTop::draw(const spec::FrameState& state, const Next& next, Listener* listener) {
   const int largest = 1 << contract_.design.guard_bits;
   if (std::min(state.width, state.height) < 1 || std::max(state.width, state.height) > largest) {
     throw std::invalid_argument("frame: expected 1 to " + std::to_string(largest) + " px, got " +
@@ -75,7 +88,7 @@ FrameResult RasterTop::run(const spec::FrameState& state, const Pull& pull, List
   const bool in_process = sc_core::sc_get_status() == sc_core::SC_RUNNING;
   if (!sc_core::sc_start_of_simulation_invoked()) sc_core::sc_start(sc_core::SC_ZERO_TIME);
   begin_frame(state, listener);
-  triangles_.draw(pull, run_from_);
+  triangles_.draw(next, run_from_);
   setup_.drain();
   interp_ztest_.drain();
   frame_.listener = nullptr;
@@ -95,7 +108,7 @@ void RasterTop::begin_frame(const spec::FrameState& state, Listener* listener) {
   if (contract_.design.hierarchical_z) frame_.hierarchical_z = &hierarchical_z_;
   is_direct_ = listener == nullptr && memory_ && memory_->is_transparent();
   frame_.tokens = !is_direct_;
-  if (!bits_ && is_direct_) leave_out_bits();
+  if (!bits_ && listener == nullptr && memory_) leave_out_bits();
   if (is_direct_) {
     clear_direct();
   } else {
@@ -119,11 +132,16 @@ void RasterTop::clear_direct() {
     std::fill(direct_.depth.begin(), direct_.depth.end(), core::cleared_depth(contract_.design));
     std::fill(direct_.color.begin(), direct_.color.end(), 0);
   }
-  interp_ztest_.set_direct(&direct_, memory_->fixed_latency());
+  frame_.buffer = &direct_;
+  frame_.depth_latency = memory_->fixed_latency();
 }
 
 // Only what time depends on.
 void RasterTop::leave_out_bits() {
+  if (!is_direct_) {
+    frame_.planes = core::Planes::kDepth;
+    return;
+  }
   frame_.planes = core::Planes::kNone;
   frame_.has_values = false;
   if (!core::tests_depth(contract_, frame_.state)) return;
@@ -138,15 +156,19 @@ void RasterTop::leave_out_bits() {
 
 core::FrameBuffer RasterTop::buffer() const { return is_direct_ ? direct_ : memory_->buffer(); }
 
+Cycle RasterTop::idle_from() const {
+  return std::max(
+      {run_from_, setup_.idle_from(), traversal_.idle_from(), interp_ztest_.idle_from()});
+}
+
 FrameResult RasterTop::result() const {
   FrameResult result;
   result.cycles = std::max(interp_ztest_.last_write() + 1, run_from_);
-  const Cycle drained =
-      std::max({run_from_, setup_.idle_from(), traversal_.idle_from(), interp_ztest_.idle_from()});
+  const Cycle drained = idle_from();
   result.counters = frame_.counters;
   result.counters.stamps = frame_.stamps.stamps;
   result.counters.fragments = frame_.stamps.samples;
-  result.spent.stamps_by_samples = frame_.stamps.by_samples;
+  result.spent.stamps_by_samples = frame_.stamps_by_samples;
   result.spent.port_stalls = frame_.port_stalls;
   result.spent.levels = {prims_.levels(drained), traversal_.tile_levels(drained),
                          stamps_.levels(drained)};

@@ -61,19 +61,26 @@ class RasterTop final : public sc_core::sc_module {
   void set_ready(const Ready& ready);
 
   /// True: every bit is computed (the default). False: only what time depends on: coverage always;
-  /// depth of every stamp with hierarchical z, else of those that the last write may belong to;
-  /// attributes never. Samples that pass are then not counted, and there is no frame. A listener
-  /// and memories that are not always ready want every bit.
+  /// depth of every stamp with hierarchical z or where the memory is not always ready, else of
+  /// those that the last write may belong to, and samples that pass are not counted; attributes
+  /// never. There is no frame then. A listener and memories outside want every bit.
   void set_bits(bool bits) { bits_ = bits; }
 
-  /// Draws one frame.
+  /// Draws one frame; of triangles that lie in memory already, none is copied.
   FrameResult run(const spec::FrameState& state, const Pull& pull, Listener* listener = nullptr);
+  FrameResult run(const spec::FrameState& state, const std::vector<spec::Triangle>& triangles,
+                  Listener* listener = nullptr);
+
+  /// The first cycle in which all units are idle if no triangle comes any more. A pull that asks
+  /// gets that of the triangles before; memories that are not always ready may still have writes.
+  Cycle idle_from() const;
 
   /// Depth and colour of the last frame in memories inside; its hits are not counted.
   core::FrameBuffer buffer() const;
 
  private:
   void end_of_elaboration() override;
+  FrameResult draw(const spec::FrameState& state, const Next& next, Listener* listener);
   void begin_frame(const spec::FrameState& state, Listener* listener);
   void clear_direct();
   void leave_out_bits();

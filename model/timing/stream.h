@@ -61,12 +61,10 @@ class TimedFifo : public sc_core::sc_module, public Producer {
   Port<Consumer> out_o{"out_o"};
 
   TimedFifo(sc_core::sc_module_name name, Fifo fifo, int depth)
-      : sc_module(name), fifo_(fifo), freed_(static_cast<size_t>(depth), kNever), levels_(depth) {}
+      : sc_module(name), fifo_(fifo), levels_(depth) {}
 
   /// Forgets the cycles of the last frame.
   void begin_frame(Listener* listener) {
-    std::fill(freed_.begin(), freed_.end(), kNever);
-    next_ = 0;
     listener_ = listener;
     levels_.begin_frame();
   }
@@ -75,26 +73,20 @@ class TimedFifo : public sc_core::sc_module, public Producer {
   std::vector<Cycle> levels(Cycle drained) const { return levels_.cycles(drained); }
 
   Cycle push(const T& token, Cycle earliest) override {
-    Cycle& freed = freed_[next_];
-    next_ = next_ + 1 == freed_.size() ? 0 : next_ + 1;
-    const Cycle inserted = std::max(earliest, freed + 1);
-    freed = consumer_->take(token, inserted + 1);
+    const Cycle inserted = std::max(earliest, levels_.slot_freed() + 1);
+    const Cycle freed = consumer_->take(token, inserted + 1);
     levels_.slot(inserted, freed);
     if (listener_ != nullptr) listener_->slot(fifo_, inserted, freed);
     return inserted;
   }
 
  protected:
-  static constexpr Cycle kNever = -1;
-
   void end_of_elaboration() override {
     require_bound(out_o, "pineda/fifo/unbound");
     consumer_ = out_o[0];
   }
 
   Fifo fifo_;
-  std::vector<Cycle> freed_;  // by slot
-  size_t next_ = 0;           // the slot of the next token
   Consumer* consumer_ = nullptr;
   Listener* listener_ = nullptr;
   FifoLevels levels_;

@@ -51,10 +51,9 @@ void TraversalUnit::walk(const spec::SetupPrim& prim) {
   if (floors_) floors_->begin(prim);
   core::FrameCounters& counters = frame_->counters;
   const bool tokens = frame_->tokens;
-  std::optional<core::TileWalk> planes;  // what stamps are made of
-  if (tokens) planes.emplace(contract_, prim);
+  if (tokens) planes_.emplace(contract_, prim);
   for (Test test; (test = walk_.next(&cover_)) != Test::kEnd; time_.work(1, prim.id)) {
-    if (tokens) planes->next(&tile_);
+    if (tokens) planes_->next(&tile_);
     ++counters.tiles_tested;
     if (test == Test::kRejected) {
       ++counters.tiles_rejected;
@@ -62,12 +61,22 @@ void TraversalUnit::walk(const spec::SetupPrim& prim) {
       ++counters.tiles_hidden;
     } else {
       counters.tiles_accepted += cover_.accepted == 7 ? 1 : 0;
-      walk_.cover_stamps(tokens || frame_->has_values, &cover_, &frame_->stamps);
+      prefetch();
+      walk_.cover_stamps(tokens, &cover_, &frame_->stamps_by_samples);
+      frame_->stamps.add(cover_.covered);
       if (tokens) core::StampWalk(contract_, tile_).begin(&stamp_);
       const TileToken token{&prim, &cover_, tokens ? &stamp_ : nullptr};
       time_.spend(Cause::kBlocked, tiles_.push(token, time_.now()), prim.id);
     }
   }
+}
+
+// Coverage takes about as long as the memory.
+void TraversalUnit::prefetch() const {
+  if (frame_->tokens || !frame_->has_values) return;
+  const int x = (cover_.x << contract_.design.tile_log2) + cover_.x0;
+  const int y = cover_.y << contract_.design.tile_log2;
+  frame_->buffer->prefetch(x, y + cover_.y0, y + cover_.y1, frame_->planes == core::Planes::kAll);
 }
 
 bool TraversalUnit::is_hidden(const spec::SetupPrim&) {
@@ -102,12 +111,11 @@ void TraversalUnit::StampWalker::walk(const TileToken& tile) {
   const int columns_log2 = d.tile_log2 - d.stamp_width_log2;
   const uint32_t id = tile.prim->id;
   int tested = 0;
-  cover.covered.for_each_stamp([&](int test) {
+  cover.for_each_stamp(cover.covered, columns_log2, [&](int test, int place) {
     time.work(test - tested, id);
     time.spend(Cause::kBlocked, sent, id);  // the output register
     time.work(1, id);
     tested = test + 1;
-    const int place = cover.place(test, columns_log2);
     if (tile.stamp != nullptr) {
       tile.stamp->mask = cover.covered.mask[static_cast<size_t>(test)];
       tile.stamp->x = (cover.x << columns_log2) + (place & ((1 << columns_log2) - 1));

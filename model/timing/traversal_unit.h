@@ -65,6 +65,7 @@ class TraversalUnit final : public sc_core::sc_module, public StreamIn<spec::Set
 
   void end_of_elaboration() override;
   void walk(const spec::SetupPrim& prim);
+  void prefetch() const;
   bool is_hidden(const spec::SetupPrim& prim);
 
   spec::Contract contract_;
@@ -73,7 +74,8 @@ class TraversalUnit final : public sc_core::sc_module, public StreamIn<spec::Set
   core::TileCoverWalk walk_;
   core::TileCover cover_;
   std::optional<core::TileShader> floors_;  // hierarchical z
-  spec::Tile tile_;                         // if Frame::tokens
+  std::optional<core::TileWalk> planes_;    // if Frame::tokens: what stamps are made of
+  spec::Tile tile_;
   spec::Stamp stamp_;
   StampWalker stamp_walker_;
   TimedFifo<TileToken> tiles_;

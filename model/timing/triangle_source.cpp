@@ -4,11 +4,11 @@
 
 namespace pineda::timing {
 
-void TriangleSource::draw(const Pull& pull, Cycle run_from) {
-  spec::Triangle triangle;
-  for (Cycle offered = 0; pull(&triangle); ++offered) {
+void TriangleSource::draw(const Next& next, Cycle run_from) {
+  const spec::Triangle* triangle = next();
+  for (Cycle offered = 0; triangle != nullptr; ++offered, triangle = next()) {
     offered = first_ready(ready_, ExternalPort::kTriangle, offered);
-    offered = tri_o->take(triangle, std::max(offered, run_from));
+    offered = tri_o->take(*triangle, std::max(offered, run_from));
   }
 }
 

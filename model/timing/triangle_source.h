@@ -11,6 +11,8 @@ namespace pineda::timing {
 
 /// Fills in the next triangle of the frame; false at the end.
 using Pull = std::function<bool(spec::Triangle*)>;
+/// The next triangle of the frame, good until the next call; null at the end.
+using Next = std::function<const spec::Triangle*()>;
 
 /// Offers triangles from a function: one is offered from the first cycle on in which its port is
 /// ready after the triangle before it is taken, and until it is taken itself; the first one from
@@ -23,9 +25,9 @@ class TriangleSource final : public sc_core::sc_module {
   explicit TriangleSource(sc_core::sc_module_name name) : sc_module(name) {}
 
   void set_ready(Ready ready) { ready_ = std::move(ready); }
-  /// Sends all of them through the units. None is taken before `run_from`. What pull throws, draw()
+  /// Sends all of them through the units. None is taken before `run_from`. What next throws, draw()
   /// throws, after the triangles before it are drawn.
-  void draw(const Pull& pull, Cycle run_from);
+  void draw(const Next& next, Cycle run_from);
 
  private:
   void end_of_elaboration() override { require_bound(tri_o, "pineda/triangles/unbound"); }

@@ -135,6 +135,19 @@ TEST_F(FaultyRtl, MakesStudyCyclesExitOne) {
   const Json json = run.json();
   EXPECT_EQ(json.at("holds"), false);
   EXPECT_GT(json.at("rows").at(0).at("retire").at("off"), 0);
+  EXPECT_EQ(json.at("worst").at(0).at("rows_off"), 1);
+}
+
+// Under stalls a retirement may be off, a counter may not.
+TEST_F(FaultyRtl, MakesStudyCyclesExitOneOverACounter) {
+  const std::string text = scratch_.write("scene.tri", tri_text(frame("TileBorders")));
+  const Outcome run = pineda(
+      {"study", "cycles", "--scene", text, "--stall", "sink", "--runs", "0", "--json", "-"}, copy_);
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  const Json row = run.json().at("rows").at(0);
+  EXPECT_EQ(row.at("holds"), false);
+  EXPECT_GT(row.at("counters_off"), 0);
+  EXPECT_FALSE(row.at("first_counter_off").get<std::string>().empty());
 }
 
 /// A waveform as GTKWave reads it.

@@ -112,12 +112,12 @@ int run(uint64_t seed, int scenes, const std::string& folder, const std::string&
 }  // namespace
 }  // namespace pineda::test
 
+// SystemC calls this from sc_elab_and_sim().
 int sc_main(int argc, char** argv) {
   if (argc != 3 && argc != 5) {
     std::cerr << "usage: random_design SEED FILE, or random_design SEED SCENES FOLDER PINEDA\n";
     return 2;
   }
-  setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
   const uint64_t seed = std::strtoull(argv[1], nullptr, 10);
   try {
     if (argc == 5) return pineda::test::run(seed, std::atoi(argv[2]), argv[3], argv[4]);
@@ -128,4 +128,10 @@ int sc_main(int argc, char** argv) {
     std::cerr << "random_design: " << error.what() << '\n';
     return 2;
   }
+}
+
+int main(int argc, char** argv) {
+  // Its banner has no place between the lines of the designs.
+  setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
+  return sc_core::sc_elab_and_sim(argc, argv);
 }

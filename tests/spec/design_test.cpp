@@ -60,6 +60,8 @@ TEST(InvalidReason, NamesTheParameterThatIsOutOfRange) {
       {"stamp_height_log2", &Design::stamp_height_log2, -1},
       {"depth_latency_cycles", &Design::depth_latency_cycles, 0},
       {"depth_latency_cycles", &Design::depth_latency_cycles, 65},
+      {"max_depth_latency_cycles is 0", &Design::max_depth_latency_cycles, 0},
+      {"max_depth_latency_cycles is 1025", &Design::max_depth_latency_cycles, 1025},
   };
   for (const Refusal& r : refusals) {
     Design design = kHighTile;

@@ -47,15 +47,23 @@ constexpr Design setup_design(const char* name, SetupStyle style, Design d) {
   return d;
 }
 
-/// The widest of all formats: 32 bits of depth, so numerators beyond 64 bits. With hierarchical z.
+/// The widest of all formats: 32 bits of depth, so numerators beyond 64 bits. With hierarchical z
+/// of few tiles: Yosys takes minutes for the flags of 32,768.
 constexpr Design z32(Design d) {
   d.hierarchical_z = true;
+  d.hierarchical_z_tiles = 40;
   d.subpixel_bits = 12;
   d.depth_bits = 32;
   d.attributes = 1;
   d.attribute_bits = 16;
   d.gradient_fraction_bits = d.tile_fraction_bits = 20;
   return d;
+}
+
+/// Hierarchical z of more tiles than the largest frame has.
+constexpr Design hidden(Design d) {
+  d.hierarchical_z = true;
+  return small(d);
 }
 
 constexpr Design z16(Design d) {
@@ -93,6 +101,7 @@ inline constexpr Design kNewton32 = scheme_design("", ReciprocalScheme::kNewton,
 inline constexpr Design kRestoring32 = scheme_design("", ReciprocalScheme::kRestoring4, 0, 0, 32);
 inline constexpr Design kSetups[] = {
     setup_design("stepped_z32", SetupStyle::kStepped, z32(kNewton32)),
+    setup_design("stepped_hidden", SetupStyle::kStepped, hidden(kNewton32)),
     setup_design("stepped_affine", SetupStyle::kStepped, affine(kSchemes[2])),
     setup_design("pipelined_z32", SetupStyle::kPipelined, z32(kNewton32)),
     setup_design("pipelined_z16", SetupStyle::kPipelined, z16(kSchemes[0])),

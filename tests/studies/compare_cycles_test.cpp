@@ -37,6 +37,48 @@ TEST(RetireErrors, MissingTriangleIsOff) {
   EXPECT_EQ(retire_errors({5, 6}, {5}).off, 1u);
 }
 
+CyclePoint equal_point() {
+  CyclePoint point;
+  point.model_cycles = point.rtl_cycles = 10000;
+  point.same_frame = true;
+  return point;
+}
+
+TEST(CyclePoint, MayBeOffWithinItsBoundsOnlyWhereSomethingStalls) {
+  CyclePoint point = equal_point();
+  EXPECT_FALSE(point.is_off());
+  EXPECT_TRUE(point.holds(false));
+
+  point.model_cycles = 10010;
+  EXPECT_TRUE(point.is_off());
+  EXPECT_FALSE(point.holds(false));
+  EXPECT_TRUE(point.holds(true));
+  point.model_cycles = 9989;
+  EXPECT_FALSE(point.holds(true));
+
+  point = equal_point();
+  point.retire.off = 1;
+  point.retire.max = 100;
+  point.retire.p99 = 4;
+  EXPECT_TRUE(point.is_off());
+  EXPECT_FALSE(point.holds(false));
+  EXPECT_TRUE(point.holds(true));
+  point.retire.p99 = 5;
+  EXPECT_FALSE(point.holds(true));
+}
+
+TEST(CyclePoint, CountersAndFrameMayNeverDiffer) {
+  CyclePoint counters = equal_point();
+  counters.counters_off = 1;
+  CyclePoint frame = equal_point();
+  frame.same_frame = false;
+  for (const CyclePoint& point : {counters, frame}) {
+    EXPECT_TRUE(point.is_off());
+    EXPECT_FALSE(point.holds(false));
+    EXPECT_FALSE(point.holds(true));
+  }
+}
+
 TEST(Child, AnswersOrSaysWhy) {
   EXPECT_EQ(in_child([] { return 41 + 1; }), 42);
   try {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <utility>
+
 #include "model/memory/dram_timing.h"
 #include "model/memory/kinds.h"
 #include "tests/timing/support.h"
@@ -173,6 +176,60 @@ TEST(RasterMemory, DramIsSlowerAndLeavesTheSameFrame) {
     EXPECT_EQ(top.buffer().color, expected.color);
     EXPECT_EQ(top.run(scene.frame, pull_from(scene)).cycles, cycles) << "another frame";
   }
+}
+
+/// DRAM that sees whether requests come in the order of their cycles, as they do at the RTL: the
+/// ports depend on one another.
+class OrderSeeing final : public memory::MemoryTiming {
+ public:
+  explicit OrderSeeing(const spec::Contract& contract)
+      : dram_(memory::make_timing(memory::Kind::kDramMerged, contract, 8)) {}
+
+  void begin_frame(const spec::FrameState& frame) override {
+    dram_->begin_frame(frame);
+    last_ = {-1, {}};
+  }
+  Cycle ready_from(memory::MemoryPort port, Cycle from) override {
+    return dram_->ready_from(port, from);
+  }
+  Cycle accept(memory::MemoryPort port, Cycle cycle, int x, int y) override {
+    const std::pair request(cycle, port);
+    late += request > last_ ? 0 : 1;
+    ++requests;
+    last_ = request;
+    return dram_->accept(port, cycle, x, y);
+  }
+
+  size_t requests = 0;
+  size_t late = 0;  // of them: those that one of a later cycle came before
+
+ private:
+  std::shared_ptr<memory::MemoryTiming> dram_;
+  std::pair<Cycle, memory::MemoryPort> last_;
+};
+
+TEST(RasterMemory, IsAskedInTheOrderOfCycles) {
+  timing::RasterTop top("top", kContract);
+  const auto memory = std::make_shared<OrderSeeing>(kContract);
+  top.set_memory(memory);
+  for (const Kind kind : kKinds) {
+    for (uint64_t seed = 0; seed < 20; ++seed) {
+      const Scene scene = random_scene(kind, seed, 60);
+      top.run(scene.frame, pull_from(scene));
+      ASSERT_EQ(memory->late, 0u) << kind_name(kind) << ", seed " << seed;
+    }
+  }
+  EXPECT_GT(memory->requests, 10'000u);
+}
+
+TEST(RasterMemory, RequestThatComesLateIsSeen) {
+  OrderSeeing memory(kContract);
+  memory.begin_frame({8, 8});
+  memory.accept(memory::MemoryPort::kColorWrite, 20, 0, 0);
+  EXPECT_EQ(memory.late, 0u);
+  memory.accept(memory::MemoryPort::kDepthRead, 20, 0, 0);
+  memory.accept(memory::MemoryPort::kDepthRead, 12, 0, 0);
+  EXPECT_EQ(memory.late, 2u);
 }
 
 // Stamps of other shapes, no depth, no attribute, values of more than a byte.
