@@ -26,7 +26,6 @@ class BandRenderer {
     const int bands = std::min(threads, rows);
     for (int i = 0; i < bands; ++i) {
       const core::TileRows band{rows * i / bands, rows * (i + 1) / bands - 1};
-      first_px_.push_back(band.first << tile);
       bands_.push_back(std::make_unique<core::Renderer>(contract, frame, band));
     }
   }
@@ -56,18 +55,8 @@ class BandRenderer {
   }
 
   core::FrameBuffer buffer() const {
-    core::FrameBuffer frame = bands_[0]->buffer();
-    const auto width = static_cast<size_t>(frame.width);
-    for (size_t i = 1; i < bands_.size(); ++i) {
-      const core::FrameBuffer& band = bands_[i]->buffer();
-      const auto copy_rows = [&](const auto& from, auto* to, size_t per_row) {
-        const auto at = static_cast<std::ptrdiff_t>(static_cast<size_t>(first_px_[i]) * per_row);
-        std::copy(from.begin() + at, from.end(), to->begin() + at);
-      };
-      copy_rows(band.depth, &frame.depth, width);
-      copy_rows(band.hits, &frame.hits, width);
-      copy_rows(band.color, &frame.color, width * static_cast<size_t>(frame.channels));
-    }
+    core::FrameBuffer frame(bands_[0]->contract(), bands_[0]->frame());
+    for (const auto& band : bands_) band->copy_rows(&frame);
     return frame;
   }
 
@@ -80,7 +69,6 @@ class BandRenderer {
     for (auto& thread : others) thread.join();
   }
 
-  std::vector<int> first_px_;
   std::vector<std::unique_ptr<core::Renderer>> bands_;
 };
 

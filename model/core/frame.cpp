@@ -1,5 +1,7 @@
 #include "model/core/frame.h"
 
+#include <algorithm>
+
 namespace pineda::core {
 
 using spec::Contract;
@@ -30,11 +32,27 @@ Renderer::Renderer(const Contract& contract, const spec::FrameState& frame, Tile
       cover_(contract),
       shader_(contract, frame, TileShader::Values::kAll) {}
 
+void Renderer::clear() {
+  by_rows_.reset();
+  buffer_.clear(contract_);
+  counters_ = {};
+}
+
+const FrameBuffer& Renderer::buffer() const {
+  if (!by_rows_) by_rows_ = buffer_.by_rows(contract_);
+  return *by_rows_;
+}
+
+void Renderer::copy_rows(FrameBuffer* to) const {
+  buffer_.copy_rows(rows_.first, std::min(rows_.last, buffer_.tile_rows - 1), to);
+}
+
 Drop Renderer::draw(const spec::Triangle& triangle) {
   // Exact planes are made for stamps only.
   if (contract_.design.reciprocal_scheme == spec::ReciprocalScheme::kNone) {
     return draw(triangle, NoSink{});
   }
+  by_rows_.reset();
   const Drop drop = setup(contract_, frame_, triangle, &prim_);
   ++counters_.triangles;
   ++counters_.dropped[static_cast<size_t>(drop)];
@@ -42,14 +60,15 @@ Drop Renderer::draw(const spec::Triangle& triangle) {
   if (!clip_rows(contract_, rows_.first, rows_.last, &prim_)) return drop;
   tiles_.begin(prim_);
   shader_.begin(prim_);
-  for (TileWalk::Test test; (test = tiles_.next(&cover_)) != TileWalk::Test::kEnd;) {
+  for (;;) {
+    int rejected = 0;
+    const bool kept = tiles_.next_kept(&cover_, &rejected);
+    counters_.tiles_tested += static_cast<uint64_t>(rejected);
+    counters_.tiles_rejected += static_cast<uint64_t>(rejected);
+    if (!kept) break;
     ++counters_.tiles_tested;
-    if (test == TileWalk::Test::kRejected) {
-      ++counters_.tiles_rejected;
-      continue;
-    }
-    counters_.tiles_accepted += cover_.accepted == 7 ? 1 : 0;
-    tiles_.cover_stamps(false, &cover_, nullptr);
+    counters_.tiles_accepted += cover_.accepted ? 1 : 0;
+    tiles_.cover_stamps(&cover_, nullptr);
     covered_.add(cover_.covered);
     shader_.count_hits(cover_, &buffer_);
     shader_.draw(cover_, &buffer_);

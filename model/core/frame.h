@@ -125,13 +125,13 @@ class Renderer {
 
   const spec::Contract& contract() const { return contract_; }
   const spec::FrameState& frame() const { return frame_; }
-  const FrameBuffer& buffer() const { return buffer_; }
+  /// The memories after the triangles so far; a copy is made when it is asked for.
+  const FrameBuffer& buffer() const;
+  /// Copies its rows of tiles to a buffer of this frame.
+  void copy_rows(FrameBuffer* to) const;
   const FrameCounters& counters() const { return counters_; }
 
-  void clear() {
-    buffer_.clear(contract_);
-    counters_ = {};
-  }
+  void clear();
 
   template <class Sink>
   Drop draw(const spec::Triangle& triangle, Sink&& sink);
@@ -156,7 +156,8 @@ class Renderer {
   spec::Contract contract_;
   spec::FrameState frame_;
   TileRows rows_;
-  FrameBuffer buffer_;
+  TiledBuffer buffer_;
+  mutable std::optional<FrameBuffer> by_rows_;  // once somebody asked, until the next draw
   FrameCounters counters_;
   spec::SetupPrim prim_;
   TileCoverWalk tiles_;
@@ -201,12 +202,14 @@ struct Renderer::ShowingWriter {
 
 template <class Sink>
 Drop Renderer::draw(const spec::Triangle& triangle, Sink&& sink) {
+  by_rows_.reset();
   return walk_triangle(contract_, frame_, rows_, triangle, &counters_,
                        Writer<std::remove_reference_t<Sink>>{*this, sink, {}});
 }
 
 template <class Sink>
 Drop Renderer::draw_showing_all(const spec::Triangle& triangle, Sink&& sink) {
+  by_rows_.reset();
   return draw_triangle(contract_, frame_, rows_, triangle, &counters_,
                        ShowingWriter<std::remove_reference_t<Sink>>{*this, sink});
 }

@@ -3,34 +3,41 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "model/core/tiled_buffer.h"
+
 namespace pineda::core {
 
 using spec::Contract;
 
-FrameBuffer::FrameBuffer(const Contract& c, const spec::FrameState& frame)
-    : width(frame.width), height(frame.height), channels(spec::channels(c.design)) {
+template <class Order>
+SampleMemories<Order>::SampleMemories(const Contract& c, const spec::FrameState& frame)
+    : Order(c.design, frame), channels(spec::channels(c.design)) {
   clear(c);
 }
 
-void FrameBuffer::clear(const Contract& c) {
-  const size_t samples = static_cast<size_t>(width) * static_cast<size_t>(height);
+template <class Order>
+void SampleMemories<Order>::clear(const Contract& c) {
+  const size_t samples = this->samples();
   depth.assign(samples, cleared_depth(c.design));
   color.assign(samples * static_cast<size_t>(channels), 0);
   hits.assign(samples, 0);
 }
 
-spec::DepthData FrameBuffer::read(const Contract& c, int x, int y, uint32_t mask) const {
+template <class Order>
+spec::DepthData SampleMemories<Order>::read(const Contract& c, int x, int y, uint32_t mask) const {
   spec::DepthData data;
   for_each_lane(c, x, y, mask, [&](size_t lane, size_t sample) { data.z[lane] = depth[sample]; });
   return data;
 }
 
-void FrameBuffer::write(const Contract& c, const spec::DepthWrite& w) {
+template <class Order>
+void SampleMemories<Order>::write(const Contract& c, const spec::DepthWrite& w) {
   for_each_lane(c, w.x, w.y, w.mask,
                 [&](size_t lane, size_t sample) { depth[sample] = w.z[lane]; });
 }
 
-void FrameBuffer::write(const Contract& c, const spec::ColorWrite& w) {
+template <class Order>
+void SampleMemories<Order>::write(const Contract& c, const spec::ColorWrite& w) {
   const size_t attributes = static_cast<size_t>(c.design.attributes);
   const auto n = static_cast<size_t>(channels);
   for_each_lane(c, w.x, w.y, w.mask, [&](size_t lane, size_t sample) {
@@ -40,10 +47,14 @@ void FrameBuffer::write(const Contract& c, const spec::ColorWrite& w) {
   });
 }
 
-void FrameBuffer::count_hits(const Contract& c, const spec::Stamp& stamp) {
+template <class Order>
+void SampleMemories<Order>::count_hits(const Contract& c, const spec::Stamp& stamp) {
   for_each_lane(c, stamp.x, stamp.y, stamp.mask, [&](size_t, size_t sample) {
     if (hits[sample] != UINT16_MAX) ++hits[sample];
   });
 }
+
+template struct SampleMemories<RowMajor>;
+template struct SampleMemories<Tiled>;
 
 }  // namespace pineda::core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "model/timing/cycles.h"
@@ -13,36 +14,34 @@ namespace pineda::timing {
 /// In       for each token, in order, the cycles in which its slot was taken and freed: a slot
 ///          taken in t counts from t + 1 on, and up to and including the cycle in which it is
 ///          freed. Both kinds of cycles only grow.
-/// Rate     a step a slot taken, in memory of the FIFO's depth. k slots or more are taken while
-///          some token n is in that has the token k - 1 before it in as well:
+/// Rate     k slots or more are taken while some token n is in that has the token k - 1 before it
+/// in
+///          as well:
 ///            inserted[n] < t <= freed[n - (k - 1)]
-///          and of those cycles the ones up to freed[n - k] were counted with token n - 1.
+///          and of those cycles the ones up to freed[n - k] were counted with token n - 1. Tokens
+///          are counted some at a time, k by k, until there are none for a k.
 /// Errors   none.
 class FifoLevels {
  public:
   explicit FifoLevels(int depth)
-      : freed_(static_cast<size_t>(depth), kNever), taken_(static_cast<size_t>(depth) + 1) {}
+      : depth_(static_cast<size_t>(depth)), freed_(depth_ + kTogether), taken_(depth_ + 1) {
+    begin_frame();
+  }
 
   void begin_frame() {
     std::fill(freed_.begin(), freed_.end(), kNever);
     std::fill(taken_.begin(), taken_.end(), 0);
-    next_ = 0;
+    count_ = 0;
   }
 
-  size_t depth() const { return freed_.size(); }
+  size_t depth() const { return depth_; }
   /// When the slot of the next token was freed; -1 if it has been free all the time.
-  Cycle slot_freed() const { return freed_[next_]; }
+  Cycle slot_freed() const { return freed_[count_]; }
 
   void slot(Cycle inserted, Cycle freed) {
-    Cycle until = freed;
-    size_t slot = next_;
-    for (size_t k = 1; until > inserted; ++k) {
-      slot = (slot == 0 ? freed_.size() : slot) - 1;
-      taken_[k] += until - std::max(inserted, freed_[slot]);
-      until = freed_[slot];
-    }
-    freed_[next_] = freed;
-    next_ = next_ + 1 == freed_.size() ? 0 : next_ + 1;
+    inserted_[count_] = inserted;
+    freed_[depth_ + count_] = freed;
+    if (++count_ == kTogether) count();
   }
 
   /// `count` tokens, each of which comes when those before it are freed or are being freed, and is
@@ -52,7 +51,9 @@ class FifoLevels {
 
   /// The cycles of the frame by level, 0 to depth, once every token has left.
   std::vector<Cycle> cycles(Cycle drained) const {
-    std::vector<Cycle> cycles = taken_;
+    FifoLevels all = *this;
+    all.count();
+    std::vector<Cycle> cycles = all.taken_;
     cycles[0] = drained;
     for (size_t k = 1; k < cycles.size(); ++k) cycles[k - 1] -= cycles[k];
     return cycles;
@@ -60,10 +61,15 @@ class FifoLevels {
 
  private:
   static constexpr Cycle kNever = -1;
+  static constexpr size_t kTogether = 32;
 
-  std::vector<Cycle> freed_;  // by slot: of its last token
-  size_t next_ = 0;           // the slot of the next token
-  std::vector<Cycle> taken_;  // by k: the cycles in which k slots or more are taken
+  void count();
+
+  size_t depth_;
+  size_t count_ = 0;                         // tokens that are not counted yet
+  std::array<Cycle, kTogether> inserted_{};  // of those
+  std::vector<Cycle> freed_;                 // of the `depth` tokens before them, and of those
+  std::vector<Cycle> taken_;                 // by k: the cycles in which k slots or more are taken
 };
 
 }  // namespace pineda::timing

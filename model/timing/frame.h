@@ -34,7 +34,7 @@ struct Frame {
   // by one. Else values are computed by whole tiles.
   bool tokens = false;
   // Else the contents of the memories, which are always ready and answer after this latency.
-  core::FrameBuffer* buffer = nullptr;
+  core::TiledBuffer* buffer = nullptr;
   Cycle depth_latency = 0;
   bool has_values = true;  // stamps are drawn as they come; else only their time is known
   core::FrameCounters counters;

@@ -12,7 +12,7 @@ constexpr Cycle kForever = std::numeric_limits<Cycle>::max();
 }  // namespace
 
 InterpZtestUnit::InterpZtestUnit(sc_core::sc_module_name name, const spec::Contract& contract)
-    : sc_module(name), contract_(contract) {
+    : sc_module(name), contract_(contract), in_flight_(contract.design) {
   stamp_i.bind(*this);
 }
 
@@ -26,12 +26,12 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
   time_ = LocalTime(Unit::kInterpZtest, frame->listener);
   const spec::Design& d = contract_.design;
   tests_ = core::tests_depth(contract_, frame->state);
+  writes_depth_ = tests_ && frame->state.depth_write;
   tile_columns_ = ((frame->state.width - 1) >> d.tile_log2) + 1;
   const int tile_rows = ((frame->state.height - 1) >> d.tile_log2) + 1;
   const auto tiles = static_cast<size_t>(tile_columns_) * static_cast<size_t>(tile_rows);
   columns_log2_ = d.tile_log2 - d.stamp_width_log2;
-  tile_stamps_log2_ = 2 * d.tile_log2 - d.stamp_width_log2 - d.stamp_height_log2;
-  address_free_.assign(tiles << tile_stamps_log2_, 0);
+  tile_stamps_log2_ = core::stamps_log2(d);
   write_free_ = retired_ = exit_ = -1;
 
   shader_.reset();
@@ -39,13 +39,14 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
     const bool all = frame->planes == core::Planes::kAll;
     shader_.emplace(contract_, frame->state,
                     all ? core::TileShader::Values::kAll : core::TileShader::Values::kDepth);
-    tile_free_.assign(tiles, 0);
+    in_flight_.begin_frame(tiles);
     pass_cycles_ = !d.depth_test ? 1
                    : !tests_     ? 3
                                  : std::max<Cycle>(2, frame->depth_latency + 1) + 1;
     return;
   }
   register_ = {};
+  address_free_.assign(tiles << tile_stamps_log2_, 0);
   pending_.assign(address_free_.size(), 0);
   accepted_count_ = retired_count_ = entered_count_ = exit_count_ = 0;
   slot_free_.assign(static_cast<size_t>(contract_.width.inflight_stamps), 0);
@@ -72,47 +73,41 @@ size_t InterpZtestUnit::address_of(const core::TileCover& cover, int place) cons
 
 Cycle InterpZtestUnit::take_direct(const StampToken& stamp, Cycle visible) {
   const core::TileCover& cover = *stamp.tile->cover;
-  if (stamp.test == cover.covered.first) draw(*stamp.tile);
-  Cycle& free = address_free_[address_of(cover, stamp.place)];
+  const bool first = stamp.place == cover.covered.first;
+  if (first) draw(*stamp.tile);
+  const size_t tile = tile_of(cover);
   time_.starve(visible);
-  if (tests_) time_.spend(Cause::kHazard, free, stamp.id());
+  if (tests_) time_.spend(Cause::kHazard, in_flight_.stamp_free(tile, stamp.place), stamp.id());
   const Cycle accepted = time_.now();
   time_.work(1, stamp.id());
   write_free_ = accepted + pass_cycles_;
-  free = tile_free_[tile_of(cover)] = write_free_ + 1;
+  if (tests_) in_flight_.stamp(tile, stamp.place, write_free_ + 1);
   if (frame_->last_write != nullptr) {
-    if (stamp.test == cover.covered.first) frame_->last_write->run(cover.x, cover.y);
+    if (first) frame_->last_write->run(cover.x, cover.y);
     frame_->last_write->retires(write_free_);
-  } else if (!frame_->has_values || has_passed(stamp.test)) {
-    pass(cover, stamp.place, write_free_);
+  } else if (!frame_->has_values || shader_->passed().has(stamp.place)) {
+    pass(write_free_);
+    if (writes_depth_ && frame_->hierarchical_z != nullptr) {
+      update(cover, stamp.place, write_free_);
+    }
   }
   return accepted;
-}
-
-bool InterpZtestUnit::has_passed(int test) const {
-  return (shader_->passed().stamps[static_cast<size_t>(test) / 64] >> (test % 64) & 1) != 0;
 }
 
 bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
   if (frame_->tokens) return false;
   const core::TileCover& cover = *tile.cover;
   const core::TileSamples& covered = cover.covered;
-  const Cycle first = first_visible + covered.first;
+  const Cycle first = first_visible + cover.box.test_of(covered.first);
   const size_t number = tile_of(cover);
-  if (time_.now() > first || (tests_ && tile_free_[number] > first)) return false;
+  if (time_.now() > first || (tests_ && in_flight_.tile_free(number) > first)) return false;
   draw(tile);
   time_.starve(first);
-  time_.work_at_times(covered.count, first_visible + covered.last + 1);
+  const int last = cover.box.test_of(covered.last);
+  time_.work_at_times(covered.count, first_visible + last + 1);
   const Cycle retire = first_visible + pass_cycles_;  // of the first test
-  write_free_ = retire + covered.last;
-  tile_free_[number] = write_free_ + 1;
-  Cycle* const free = &address_free_[number << tile_stamps_log2_];
-  if (cover.full) {
-    for (int test = 0; test < covered.count; ++test) free[test] = retire + test + 1;
-  } else {
-    cover.for_each_stamp(covered, columns_log2_,
-                         [&](int test, int place) { free[place] = retire + test + 1; });
-  }
+  write_free_ = retire + last;
+  if (tests_) in_flight_.run(number, cover, retire);
   if (frame_->last_write != nullptr) {
     frame_->last_write->run(cover.x, cover.y, retire);
   } else {
@@ -131,24 +126,24 @@ void InterpZtestUnit::draw(const TileToken& tile) {
 void InterpZtestUnit::pass_run(const core::TileCover& cover, Cycle retire) {
   const core::TileSamples& passed = frame_->has_values ? shader_->passed() : cover.covered;
   if (passed.count == 0) return;
-  if (frame_->hierarchical_z == nullptr) {
-    pass(cover, 0, retire + passed.last);
-  } else {
-    cover.for_each_stamp(passed, columns_log2_,
-                         [&](int test, int place) { pass(cover, place, retire + test); });
-  }
+  pass(retire + cover.box.test_of(passed.last));
+  if (!writes_depth_ || frame_->hierarchical_z == nullptr) return;
+  passed.for_each_stamp(
+      [&](int place) { update(cover, place, retire + cover.box.test_of(place)); });
 }
 
 // The writes of a stamp that retires in `retire`.
-void InterpZtestUnit::pass(const core::TileCover& cover, int place, Cycle retire) {
+void InterpZtestUnit::pass(Cycle retire) {
   exit_ = retire + contract_.width.attribute_cycles;
-  if (!tests_ || !frame_->state.depth_write) return;
-  retired_ = retire;
-  if (frame_->hierarchical_z == nullptr) return;
+  if (writes_depth_) retired_ = retire;
+}
+
+// What hierarchical z sees of a stamp's depth write.
+void InterpZtestUnit::update(const core::TileCover& cover, int place, Cycle retire) {
   const spec::Design& d = contract_.design;
   const int x = (cover.x << columns_log2_) + (place & ((1 << columns_log2_) - 1));
   const int y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2_);
-  frame_->hierarchical_z->update(retired_, {x, y, greatest_depth(x, y)});
+  frame_->hierarchical_z->update(retire, {x, y, greatest_depth(x, y)});
 }
 
 uint32_t InterpZtestUnit::greatest_depth(int x, int y) const {
@@ -215,7 +210,7 @@ void InterpZtestUnit::test(const spec::Stamp& stamp, const spec::DepthData& data
   core::interpolate_depth(contract_, stamp, &fragment_);
   stored->passed =
       core::depth_test(contract_, frame_->state.depth, stamp.mask, fragment_.z, data.z);
-  stored->writes = stored->passed != 0 && tests_ && frame_->state.depth_write;
+  stored->writes = stored->passed != 0 && writes_depth_;
   if (stored->passed == 0) return;
   ++frame_->counters.interpolated;
   frame_->counters.passed += static_cast<uint64_t>(core::count_lanes(stored->passed));

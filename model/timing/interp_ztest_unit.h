@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/timing/in_flight.h"
 #include "model/timing/local_time.h"
 #include "model/timing/memory.h"
 #include "model/timing/ring.h"
@@ -114,9 +115,9 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   size_t address_of(const core::TileCover& cover, int place) const;
   void draw(const TileToken& tile);
   Cycle take_direct(const StampToken& stamp, Cycle visible);
-  bool has_passed(int test) const;
   void pass_run(const core::TileCover& cover, Cycle retire);
-  void pass(const core::TileCover& cover, int place, Cycle retire);
+  void pass(Cycle retire);
+  void update(const core::TileCover& cover, int place, Cycle retire);
   uint32_t greatest_depth(int x, int y) const;  // stored in a stamp, the top bits
 
   // Other memories
@@ -138,23 +139,24 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   spec::Contract contract_;
   Frame* frame_ = nullptr;
   LocalTime time_;
-  bool tests_ = false;               // depths are read and compared
-  int tile_columns_ = 0;             // tiles in a row of the frame
-  int columns_log2_ = 0;             // stamps in a row of a tile
-  int tile_stamps_log2_ = 0;         // stamps of a tile
-  std::vector<Cycle> address_free_;  // by tile and its stamps: not in flight from this cycle on
-  Cycle write_free_ = -1;            // the write register can be loaded from this cycle on
-  Cycle retired_ = -1;               // the last depth write accepted
-  Cycle exit_ = -1;                  // the last colour write accepted
+  bool tests_ = false;         // depths are read and compared
+  bool writes_depth_ = false;  // and those that pass written
+  int tile_columns_ = 0;       // tiles in a row of the frame
+  int columns_log2_ = 0;       // stamps in a row of a tile
+  int tile_stamps_log2_ = 0;   // stamps of a tile
+  Cycle write_free_ = -1;      // the write register can be loaded from this cycle on
+  Cycle retired_ = -1;         // the last depth write accepted
+  Cycle exit_ = -1;            // the last colour write accepted
 
   std::optional<core::TileShader> shader_;
-  Cycle pass_cycles_ = 0;         // C
-  std::vector<Cycle> tile_free_;  // by tile: none of its stamps is in flight from this cycle on
+  Cycle pass_cycles_ = 0;  // C
+  InFlight in_flight_;
 
   Ring<Stored> stored_;
   Register register_;
   Ring<Colored> colored_;
-  std::vector<uint64_t> pending_;  // by address: the number of the last stamp there, from 1
+  std::vector<Cycle> address_free_;  // by address: not in flight from this cycle on
+  std::vector<uint64_t> pending_;    // by address: the number of the last stamp there, from 1
   uint64_t accepted_count_ = 0;
   uint64_t retired_count_ = 0;
   uint64_t entered_count_ = 0;

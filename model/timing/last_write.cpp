@@ -1,10 +1,11 @@
 #include "model/timing/last_write.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace pineda::timing {
 
-void LastWrite::begin_frame(const spec::FrameState& frame, core::FrameBuffer* buffer) {
+void LastWrite::begin_frame(const spec::FrameState& frame, core::TiledBuffer* buffer) {
   frame_ = frame;
   buffer_ = buffer;
   const int log2 = contract_.design.tile_log2;
@@ -20,12 +21,7 @@ void LastWrite::begin_frame(const spec::FrameState& frame, core::FrameBuffer* bu
 
 void LastWrite::triangle(const spec::Triangle& t) {
   if (runs_.size() >= kKept) flush();
-  auto& corners = triangles_.emplace_back();
-  for (size_t i = 0; i < 3; ++i) {
-    corners[i].x = t.v[i].x;
-    corners[i].y = t.v[i].y;
-    corners[i].z = t.v[i].z;
-  }
+  triangles_.push_back({Corner(t.v[0]), Corner(t.v[1]), Corner(t.v[2])});
 }
 
 void LastWrite::add(int tile_x, int tile_y, uint32_t irregular, Cycle retire) {
@@ -77,14 +73,9 @@ void LastWrite::test_tile(uint32_t last_run) {
 
 void LastWrite::clear(uint32_t tile) {
   cleared_[tile] = true;
-  const int log2 = contract_.design.tile_log2;
-  const int x = static_cast<int>(tile) % tile_columns_ << log2;
-  const int y = static_cast<int>(tile) / tile_columns_ << log2;
-  const int columns = std::min(1 << log2, frame_.width - x);
-  for (int row = y; row < std::min(y + (1 << log2), frame_.height); ++row) {
-    std::fill_n(buffer_->depth.begin() + int64_t{row} * frame_.width + x, columns,
-                core::cleared_depth(contract_.design));
-  }
+  const size_t samples = buffer_->tile_samples;
+  std::fill_n(buffer_->depth.begin() + static_cast<std::ptrdiff_t>(tile * samples), samples,
+              core::cleared_depth(contract_.design));
 }
 
 void LastWrite::test(Run* run) {
@@ -110,7 +101,7 @@ void LastWrite::test(Run* run) {
   core::TileCover cover(contract_);
   walk.begin(prim);
   walk.next(&cover);
-  walk.cover_stamps(false, &cover, nullptr);
+  walk.cover_stamps(&cover, nullptr);
   core::TileShader shader(contract_, frame, core::TileShader::Values::kDepth);
   shader.begin(prim);
   shader.draw(cover, buffer_);
@@ -120,8 +111,9 @@ void LastWrite::test(Run* run) {
   if (shader.passed().count == 0) return;
   const int last = shader.passed().last;
   uint32_t stamp = 0;  // its number among those that have a sample
-  cover.covered.for_each_stamp([&](int test) { stamp += test < last ? 1 : 0; });
-  run->retire = run->irregular == kNone ? first + last : irregular_[run->irregular + stamp];
+  cover.covered.for_each_stamp([&](int place) { stamp += place < last ? 1 : 0; });
+  run->retire = run->irregular == kNone ? first + cover.box.test_of(last)
+                                        : irregular_[run->irregular + stamp];
 }
 
 }  // namespace pineda::timing

@@ -23,7 +23,7 @@ class LastWrite {
   explicit LastWrite(const spec::Contract& contract) : contract_(contract) {}
 
   /// The buffer's depths are cleared where they are needed.
-  void begin_frame(const spec::FrameState& frame, core::FrameBuffer* buffer);
+  void begin_frame(const spec::FrameState& frame, core::TiledBuffer* buffer);
   /// A triangle that setup sends.
   void triangle(const spec::Triangle& triangle);
   /// A tile of the last triangle, of whose stamps that of test 0 retires, or would, in `retire`,
@@ -40,6 +40,7 @@ class LastWrite {
   static constexpr size_t kKept = size_t{1} << 20;  // runs, some 32 bytes each
 
   struct Corner {
+    explicit Corner(const spec::Vertex& v) : x(v.x), y(v.y), z(v.z) {}
     int32_t x, y;
     int64_t z;
   };
@@ -58,7 +59,7 @@ class LastWrite {
 
   spec::Contract contract_;
   spec::FrameState frame_;
-  core::FrameBuffer* buffer_ = nullptr;
+  core::TiledBuffer* buffer_ = nullptr;
   int tile_columns_ = 0;
   std::vector<std::array<Corner, 3>> triangles_;
   std::vector<Run> runs_;

@@ -66,6 +66,17 @@ void RasterTop::set_ready(const Ready& ready) {
   if (memory_) memory_->set_ready(ready);
 }
 
+namespace {
+
+// Asks the caches for a triangle, ahead of its setup.
+void prefetch(const std::vector<spec::Triangle>& triangles, size_t i) {
+  if (i >= triangles.size()) return;
+  const char* const bytes = reinterpret_cast<const char*>(&triangles[i]);
+  for (size_t line = 0; line < sizeof triangles[i]; line += 64) __builtin_prefetch(bytes + line);
+}
+
+}  // namespace
+
 FrameResult RasterTop::run(const spec::FrameState& state, const Pull& pull, Listener* listener) {
   spec::Triangle triangle;
   return draw(
@@ -76,7 +87,12 @@ FrameResult RasterTop::run(const spec::FrameState& state,
                            const std::vector<spec::Triangle>& triangles, Listener* listener) {
   size_t i = 0;
   return draw(
-      state, [&] { return i < triangles.size() ? &triangles[i++] : nullptr; }, listener);
+      state,
+      [&]() -> const spec::Triangle* {
+        prefetch(triangles, i + 3);
+        return i < triangles.size() ? &triangles[i++] : nullptr;
+      },
+      listener);
 }
 
 FrameResult RasterTop::draw(const spec::FrameState& state, const Next& next, Listener* listener) {
@@ -127,7 +143,7 @@ void RasterTop::begin_frame(const spec::FrameState& state, Listener* listener) {
 void RasterTop::clear_direct() {
   const spec::FrameState& state = frame_.state;
   if (state.width != direct_.width || state.height != direct_.height) {
-    direct_ = core::FrameBuffer(contract_, state);
+    direct_ = core::TiledBuffer(contract_, state);
   } else if (frame_.has_values) {
     std::fill(direct_.depth.begin(), direct_.depth.end(), core::cleared_depth(contract_.design));
     std::fill(direct_.color.begin(), direct_.color.end(), 0);
@@ -154,7 +170,9 @@ void RasterTop::leave_out_bits() {
   frame_.last_write = &last_write_;
 }
 
-core::FrameBuffer RasterTop::buffer() const { return is_direct_ ? direct_ : memory_->buffer(); }
+core::FrameBuffer RasterTop::buffer() const {
+  return is_direct_ ? direct_.by_rows(contract_) : memory_->buffer();
+}
 
 Cycle RasterTop::idle_from() const {
   return std::max(

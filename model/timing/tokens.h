@@ -16,7 +16,6 @@ struct TileToken {
 /// A stamp of a tile that has a covered sample.
 struct StampToken {
   const TileToken* tile = nullptr;
-  int test = 0;   // its stamp test
   int place = 0;  // its number in the whole tile, row by row
 
   uint32_t id() const { return tile->prim->id; }

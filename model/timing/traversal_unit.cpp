@@ -41,45 +41,70 @@ void TraversalUnit::begin_frame(Frame* frame) {
 
 Cycle TraversalUnit::take(const spec::SetupPrim& prim, Cycle visible) {
   const Cycle cycle = taken(visible, &time_);
-  walk(prim);
+  walk_.begin(prim);
+  if (floors_) floors_->begin(prim);
+  if (frame_->tokens) {
+    walk_stamps(prim);
+  } else {
+    walk_tiles(prim);
+  }
   return cycle;
 }
 
-void TraversalUnit::walk(const spec::SetupPrim& prim) {
-  using Test = core::TileWalk::Test;
-  walk_.begin(prim);
-  if (floors_) floors_->begin(prim);
+void TraversalUnit::walk_tiles(const spec::SetupPrim& prim) {
   core::FrameCounters& counters = frame_->counters;
-  const bool tokens = frame_->tokens;
-  if (tokens) planes_.emplace(contract_, prim);
+  for (;;) {
+    int rejected = 0;
+    const bool kept = walk_.next_kept(&cover_, &rejected);
+    counters.tiles_tested += static_cast<uint64_t>(rejected);
+    counters.tiles_rejected += static_cast<uint64_t>(rejected);
+    time_.work(rejected, prim.id);
+    if (!kept) return;
+    ++counters.tiles_tested;
+    if (is_hidden()) {
+      ++counters.tiles_hidden;
+    } else {
+      prefetch();
+      send({&prim, &cover_, nullptr});
+    }
+    time_.work(1, prim.id);
+  }
+}
+
+// The same tile by tile, since the planes of their stamps are stepped as well.
+void TraversalUnit::walk_stamps(const spec::SetupPrim& prim) {
+  using Test = core::TileWalk::Test;
+  core::FrameCounters& counters = frame_->counters;
+  planes_.emplace(contract_, prim);
   for (Test test; (test = walk_.next(&cover_)) != Test::kEnd; time_.work(1, prim.id)) {
-    if (tokens) planes_->next(&tile_);
+    planes_->next(&tile_);
     ++counters.tiles_tested;
     if (test == Test::kRejected) {
       ++counters.tiles_rejected;
-    } else if (is_hidden(prim)) {
+    } else if (is_hidden()) {
       ++counters.tiles_hidden;
     } else {
-      counters.tiles_accepted += cover_.accepted == 7 ? 1 : 0;
-      prefetch();
-      walk_.cover_stamps(tokens, &cover_, &frame_->stamps_by_samples);
-      frame_->stamps.add(cover_.covered);
-      if (tokens) core::StampWalk(contract_, tile_).begin(&stamp_);
-      const TileToken token{&prim, &cover_, tokens ? &stamp_ : nullptr};
-      time_.spend(Cause::kBlocked, tiles_.push(token, time_.now()), prim.id);
+      core::StampWalk(contract_, tile_).begin(&stamp_);
+      send({&prim, &cover_, &stamp_});
     }
   }
 }
 
-// Coverage takes about as long as the memory.
-void TraversalUnit::prefetch() const {
-  if (frame_->tokens || !frame_->has_values) return;
-  const int x = (cover_.x << contract_.design.tile_log2) + cover_.x0;
-  const int y = cover_.y << contract_.design.tile_log2;
-  frame_->buffer->prefetch(x, y + cover_.y0, y + cover_.y1, frame_->planes == core::Planes::kAll);
+// With its stamps.
+void TraversalUnit::send(const TileToken& tile) {
+  walk_.cover_stamps(&cover_, &frame_->stamps_by_samples);
+  frame_->counters.tiles_accepted += cover_.accepted ? 1 : 0;
+  frame_->stamps.add(cover_.covered);
+  time_.spend(Cause::kBlocked, tiles_.push(tile, time_.now()), tile.prim->id);
 }
 
-bool TraversalUnit::is_hidden(const spec::SetupPrim&) {
+// Coverage takes about as long as the memory.
+void TraversalUnit::prefetch() const {
+  if (!frame_->has_values) return;
+  frame_->buffer->prefetch(cover_, frame_->planes == core::Planes::kAll);
+}
+
+bool TraversalUnit::is_hidden() {
   if (!floors_) return false;
   const uint32_t floor = floors_->depth_floor(cover_.x, cover_.y);
   return floor != 0 && frame_->hierarchical_z->hides(time_.now(), cover_.x, cover_.y, floor);
@@ -93,11 +118,11 @@ void TraversalUnit::StampWalker::begin_frame(Listener* listener) {
 Cycle TraversalUnit::StampWalker::take(const TileToken& tile, Cycle visible) {
   const Cycle cycle = taken(visible, &time);
   const core::TileSamples& covered = tile.cover->covered;
-  const int tests = tile.cover->tests();
+  const int tests = tile.cover->box.tests();
   if (covered.count == 0) {
     time.work(tests, tile.prim->id);
   } else if (sent <= time.now() && unit_.stamp_o->push_run(tile, time.now() + 1)) {
-    sent = time.now() + covered.last + 1;
+    sent = time.now() + tile.cover->box.test_of(covered.last) + 1;
     time.work(tests, tile.prim->id);
   } else {
     walk(tile);
@@ -108,24 +133,25 @@ Cycle TraversalUnit::StampWalker::take(const TileToken& tile, Cycle visible) {
 void TraversalUnit::StampWalker::walk(const TileToken& tile) {
   const core::TileCover& cover = *tile.cover;
   const spec::Design& d = unit_.contract_.design;
-  const int columns_log2 = d.tile_log2 - d.stamp_width_log2;
   const uint32_t id = tile.prim->id;
   int tested = 0;
-  cover.for_each_stamp(cover.covered, columns_log2, [&](int test, int place) {
+  cover.covered.for_each_stamp([&](int place) {
+    const int test = cover.box.test_of(place);
     time.work(test - tested, id);
     time.spend(Cause::kBlocked, sent, id);  // the output register
     time.work(1, id);
     tested = test + 1;
     if (tile.stamp != nullptr) {
-      tile.stamp->mask = cover.covered.mask[static_cast<size_t>(test)];
+      const int columns_log2 = cover.box.columns_log2;
+      tile.stamp->mask = core::lanes_of(d, cover.covered, place);
       tile.stamp->x = (cover.x << columns_log2) + (place & ((1 << columns_log2) - 1));
       tile.stamp->y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2);
     }
-    sent = unit_.stamp_o->push({&tile, test, place}, time.now());
+    sent = unit_.stamp_o->push({&tile, place}, time.now());
     Listener* const listener = unit_.frame_->listener;
     if (listener != nullptr) listener->stamp(sent, *tile.stamp);
   });
-  time.work(cover.tests() - tested, id);
+  time.work(cover.box.tests() - tested, id);
 }
 
 Cycle TraversalUnit::idle_from() const {

@@ -64,9 +64,11 @@ class TraversalUnit final : public sc_core::sc_module, public StreamIn<spec::Set
   };
 
   void end_of_elaboration() override;
-  void walk(const spec::SetupPrim& prim);
+  void walk_tiles(const spec::SetupPrim& prim);
+  void walk_stamps(const spec::SetupPrim& prim);
+  void send(const TileToken& tile);
   void prefetch() const;
-  bool is_hidden(const spec::SetupPrim& prim);
+  bool is_hidden();
 
   spec::Contract contract_;
   Frame* frame_ = nullptr;
@@ -78,7 +80,7 @@ class TraversalUnit final : public sc_core::sc_module, public StreamIn<spec::Set
   spec::Tile tile_;
   spec::Stamp stamp_;
   StampWalker stamp_walker_;
-  TimedFifo<TileToken> tiles_;
+  TimedFifo<TileToken, StampWalker> tiles_;
 };
 
 }  // namespace pineda::timing

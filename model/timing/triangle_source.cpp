@@ -7,7 +7,7 @@ namespace pineda::timing {
 void TriangleSource::draw(const Next& next, Cycle run_from) {
   const spec::Triangle* triangle = next();
   for (Cycle offered = 0; triangle != nullptr; ++offered, triangle = next()) {
-    offered = first_ready(ready_, ExternalPort::kTriangle, offered);
+    if (ready_) offered = first_ready(ready_, ExternalPort::kTriangle, offered);
     offered = tri_o->take(*triangle, std::max(offered, run_from));
   }
 }

@@ -107,6 +107,28 @@ TEST(Reciprocal, ThirdByHand) {
   EXPECT_NEAR(static_cast<double>(r.mantissa), 0x1p31 / 3, 1.0);
 }
 
+// Without a step the mantissa is the ROM's entry and its leading 1, wherever the index bits lie.
+TEST(Reciprocal, FirstGuessIsTheEntryOfEveryRom) {
+  spec::Design design = spec::kHighTile;
+  design.reciprocal_newton_steps = 0;
+  for (int l = 4; l <= 12; ++l) {
+    design.reciprocal_lut_bits = l;
+    ASSERT_EQ(spec::invalid_reason(design), "");
+    const spec::Contract contract = spec::contract(design);
+    const int below = design.reciprocal_bits - spec::reciprocal_rom_bits(design) - 1;
+    for (int i = 0; i < 1 << l; ++i) {
+      const int64_t value =
+          (int64_t{1} << spec::reciprocal_rom_bits(design)) + spec::reciprocal_rom(design, i);
+      const int64_t top = (int64_t{1} << l) + i;
+      for (const int64_t area2 : {top, top << 20, ((top + 1) << 30) - 1}) {
+        ASSERT_EQ(core::reciprocal(contract, area2).mantissa, value << below) << l << " " << i;
+      }
+    }
+  }
+  design.reciprocal_lut_bits = 13;  // no ROM of that size is there
+  EXPECT_NE(spec::invalid_reason(design), "");
+}
+
 TEST(Reciprocal, MutantWithOneNewtonStepBreaksTheBound) {
   spec::Design design = spec::kHighTile;
   design.reciprocal_newton_steps = 1;

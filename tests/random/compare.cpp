@@ -35,7 +35,8 @@ Scene read(const spec::Contract& contract, const Trial& trial) {
 void set_time(const spec::Contract& contract, const Trial& trial, int late,
               timing::RasterTop* top) {
   const int latency = trial.bench.depth_latency_cycles + late;
-  top->set_depth_latency_cycles(std::min(latency, contract.design.max_depth_latency_cycles));
+  top->set_memory(memory::make_timing(trial.memory, contract,
+                                      std::min(latency, contract.design.max_depth_latency_cycles)));
   top->set_ready(tb::ready_of({trial.bench.stall_mode, trial.bench.seed}));
 }
 
@@ -122,7 +123,9 @@ void compare_with_rtl(const spec::Contract& contract, const Trial& trial, const 
   } else {
     library.emplace(contract, plugin);
   }
-  tb::FrameBench bench(*library, trial.bench);
+  tb::BenchOptions options = trial.bench;
+  options.memory = memory::make_timing(trial.memory, contract, options.depth_latency_cycles);
+  tb::FrameBench bench(*library, options);
   timing::RasterTop top("top", contract);
   set_time(contract, trial, late, &top);
   Record expected;

@@ -216,8 +216,10 @@ std::string random_tri(const spec::Design& design, uint64_t seed) {
 
 std::string Trial::arguments() const {
   static constexpr const char* kStalls[] = {"none", "source", "sink", "both"};
-  return fmt::format("'{}'{} --latency {} --stall {} --seed {}", scene,
-                     size.empty() ? "" : " --size " + size, bench.depth_latency_cycles,
+  return fmt::format("'{}'{} {} --stall {} --seed {}", scene, size.empty() ? "" : " --size " + size,
+                     memory == memory::Kind::kIdeal
+                         ? fmt::format("--latency {}", bench.depth_latency_cycles)
+                         : fmt::format("--memory {}", memory::kind_name(memory)),
                      kStalls[static_cast<int>(bench.stall_mode)], bench.seed);
 }
 
@@ -227,6 +229,10 @@ Trial random_trial(const spec::Design& design, uint64_t seed, const std::string&
   trial.bench.depth_latency_cycles = random.in(1, design.max_depth_latency_cycles);
   trial.bench.stall_mode = tb::kStallModes[random.in(0, 3)];
   trial.bench.seed = random.bits() >> 32;
+  Random kind(~seed);  // of its own, so that a scene depends on its seed alone
+  if (one_in(&kind, 3)) {
+    trial.memory = kind.coin() ? memory::Kind::kDram : memory::Kind::kDramMerged;
+  }
   if (one_in(&random, 4)) {
     static constexpr const char* kBuiltIn[] = {"triangle", "grid", "layers", "random/screen"};
     static constexpr const char* kHard[] = {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "model/memory/kinds.h"
 #include "model/spec/widths.h"
 #include "tb/frame_bench.h"
 
@@ -23,9 +24,10 @@ std::string random_tri(const spec::Design& design, uint64_t seed);
 
 /// A frame that a check draws: the scene and the time it is drawn in.
 struct Trial {
-  std::string scene;  // as scene::open_scene() takes it
-  std::string size;   // WxH of a built-in one; else empty
-  tb::BenchOptions bench;
+  std::string scene;       // as scene::open_scene() takes it
+  std::string size;        // WxH of a built-in one; else empty
+  tb::BenchOptions bench;  // but for its memory
+  memory::Kind memory = memory::Kind::kIdeal;
 
   /// Arguments of `pineda check`, but for the design.
   std::string arguments() const;

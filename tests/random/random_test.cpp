@@ -19,6 +19,7 @@ std::string folder_of(const scene::Scratch& scratch) {
 Trial mutable_trial(const spec::Design& design, uint64_t seed, const std::string& folder) {
   Trial trial = random_trial(design, seed, folder);
   trial.bench.depth_latency_cycles = 1;
+  trial.memory = memory::Kind::kIdeal;
   return trial;
 }
 

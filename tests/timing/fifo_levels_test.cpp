@@ -20,7 +20,7 @@ struct Slot {
 std::vector<Slot> random_slots(int depth, uint32_t seed) {
   std::mt19937 random(seed);
   std::vector<Slot> slots;
-  for (size_t n = 0; n < 40; ++n) {
+  for (size_t n = 0; n < 150; ++n) {
     const Cycle gap = random() % 4 == 0 ? random() % 20 : random() % 2;
     Cycle inserted = n == 0 ? gap : slots.back().inserted + 1 + gap;
     if (n >= static_cast<size_t>(depth)) {

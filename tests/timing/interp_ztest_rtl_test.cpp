@@ -22,7 +22,7 @@ class Tiled {
     cover_.y = stamp.y >> y_log2;
     tile_ = {&prim_, &cover_, &stamp_};
     const int place = (stamp.y - (cover_.y << y_log2)) << x_log2 | (stamp.x - (cover_.x << x_log2));
-    return {&tile_, 0, place};
+    return {&tile_, place};
   }
 
  private:

@@ -1,0 +1,63 @@
+// Which stamps of a frame are in flight, where memories are always ready.
+#pragma once
+
+#include <vector>
+
+#include "model/core/tile_cover.h"
+#include "model/timing/cycles.h"
+
+namespace pineda::timing {
+
+/// When the address of each stamp is free again.
+///
+/// In       the stamps of a tile one by one, or as a run, which comes only when none of the tile is
+///          in flight. So what a run was made of is enough; its addresses are written down when
+///          the first stamp asks for its own.
+/// Errors   none.
+class InFlight {
+ public:
+  explicit InFlight(const spec::Design& design);
+
+  void begin_frame(size_t tiles);
+
+  /// From this cycle on no stamp of the tile is in flight.
+  Cycle tile_free(size_t tile) const { return tiles_[tile].free; }
+  /// The same of one stamp.
+  Cycle stamp_free(size_t tile, int place);
+
+  /// All stamps of a tile; that of test 0 retires, or would, in `retire`, the others a cycle later
+  /// each.
+  void run(size_t tile, const core::TileCover& cover, Cycle retire) {
+    const core::StampBox& box = cover.box;
+    Tile& t = tiles_[tile];
+    t.last = static_cast<uint16_t>(box.test_of(cover.covered.last));
+    t.free = retire + t.last + 1;
+    t.column0 = static_cast<uint8_t>(box.column0);
+    t.columns = static_cast<uint8_t>(box.columns);
+    t.row0 = static_cast<uint8_t>(box.row0);
+    t.is_run = true;
+    for (size_t i = 0; i < words_; ++i) stamps_[tile * words_ + i] = cover.covered.stamps[i];
+  }
+  /// A stamp, after stamp_free() of it.
+  void stamp(size_t tile, int place, Cycle free) {
+    free_[(tile << stamps_log2_) + static_cast<size_t>(place)] = tiles_[tile].free = free;
+  }
+
+ private:
+  struct Tile {
+    Cycle free = 0;
+    // The last run, unless it is written down: its last test, and what of its box counts tests.
+    uint16_t last = 0;
+    uint8_t column0 = 0, columns = 0, row0 = 0;
+    bool is_run = true;
+  };
+  void write_down(size_t tile);
+
+  int columns_log2_, stamps_log2_;  // of a tile
+  size_t words_;                    // of their bits
+  std::vector<Tile> tiles_;
+  std::vector<uint64_t> stamps_;  // by tile: the stamps of its last run
+  std::vector<Cycle> free_;       // by tile and place, once they are written down
+};
+
+}  // namespace pineda::timing
