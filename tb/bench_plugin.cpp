@@ -61,10 +61,14 @@ uint64_t get(const VlWide<Words>& port, int position, int bits) {
   return pineda::spec::get_bits(port.m_storage, position, bits);
 }
 
+// Ports of one word or less; two; more.
+template <class Port>
+void set(Port* port, const uint32_t* words) {
+  *port = static_cast<Port>(words[0]);
+}
 void set(QData* port, const uint32_t* words) {
   *port = words[0] | static_cast<uint64_t>(words[1]) << 32;
 }
-void set(IData* port, const uint32_t* words) { *port = words[0]; }
 template <size_t Words>
 void set(VlWide<Words>* port, const uint32_t* words) {
   std::copy_n(words, Words, port->m_storage);

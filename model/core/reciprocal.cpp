@@ -81,7 +81,9 @@ PINEDA_CLONES Reciprocal reciprocal(const spec::Contract& c, int64_t area2) {
     return {std::min(spec::round_half_up(quotient(d, area2, length), 1), limit), length};
   }
   const int bits = spec::reciprocal_working_bits(d);
-  const auto m = static_cast<int64_t>(static_cast<uint64_t>(area2) << (64 - length) >> (64 - bits));
+  // In two steps, for 0: the sum of weights where no vertex has one.
+  const uint64_t leading = static_cast<uint64_t>(area2) << (63 - length) << 1;
+  const auto m = static_cast<int64_t>(leading >> (64 - bits));
   const int64_t x = d.reciprocal_scheme == ReciprocalScheme::kQuadratic ? quadratic(d, m, bits)
                                                                         : newton(d, m, bits);
   return {std::min(spec::round_half_up(x, 2), limit), length};
