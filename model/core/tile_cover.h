@@ -20,7 +20,7 @@ constexpr size_t block_of(const spec::Design& d, int x, int y) {
          static_cast<size_t>(x / kBlockPx);
 }
 
-/// Stamps of a tile.
+/// How many stamps a tile has, as a power of two.
 constexpr int stamps_log2(const spec::Design& d) {
   return 2 * d.tile_log2 - d.stamp_width_log2 - d.stamp_height_log2;
 }
