@@ -89,8 +89,6 @@ PINEDA_INLINE Plane word_plane(const Contract& c, const PlaneSetup& s,
           wrap(static_cast<int64_t>(at_ref) >> subpixel_bits, bits)};
 }
 
-typedef uint32_t Uint32x4 __attribute__((vector_size(16)));
-
 // As signed words. (__builtin_convertvector takes GCC three instructions instead of two.)
 PINEDA_INLINE void widen(const Uint32x4& v, Int64x4* out) {
   const Uint32x8 twice = __builtin_shufflevector(v, v, 0, 0, 1, 1, 2, 2, 3, 3);

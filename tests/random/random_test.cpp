@@ -48,17 +48,20 @@ TEST(RandomDesigns, EveryKindOfPartIsDrawn) {
 TEST(RandomDesigns, ModesOfTheCycleModelAgreeWithEachOtherAndWithCore) {
   const scene::Scratch scratch;
   uint64_t samples = 0;
+  std::set<memory::Kind> memories;
   for (uint64_t seed = 1; seed <= 60; ++seed) {
     const auto contract = spec::contract(random_design(seed));
     for (uint64_t i = 0; i < 3; ++i) {
       const Trial trial = random_trial(contract.design, 1000 * seed + i, folder_of(scratch));
       const Found found = model_against_itself(contract, trial);
       samples += found.compared;
+      memories.insert(trial.memory);
       EXPECT_EQ(found.difference(), "")
           << "r" << seed << ": " << summary_of(contract.design) << ": " << trial.arguments();
     }
   }
   EXPECT_GT(samples, 500000u);
+  EXPECT_EQ(memories.size(), std::size(memory::kKinds));
 }
 
 TEST(RandomDesigns, ModeThatIsACycleLaterIsSeen) {
