@@ -10,12 +10,26 @@ namespace pineda::scene {
 
 using Rgba = std::array<uint8_t, 4>;
 
+/// A polygon of more than three corners as its file states it, and the triangles that it became.
+struct MeshPolygon {
+  uint32_t first_corner = 0;  // of Mesh::corner
+  uint32_t corners = 0;
+  uint32_t first_triangle = 0;  // of Mesh::triangle
+  uint32_t triangles = 0;
+};
+
 struct Mesh {
   std::vector<Vec3> position;
   std::vector<Vec3> normal;  // unit length, one a position
   std::vector<Rgba> color;   // one a position; empty: shaded from the normals
   bool is_lit = false;       // the colours are materials', shaded from the normals too
   std::vector<std::array<uint32_t, 3>> triangle;
+  // A vertex for each triangle, whose colour is that of flat shading; empty: the first corners. It
+  // need not be one of the triangle's.
+  std::vector<uint32_t> provoking;
+  // Those that do not cross themselves, in the order of their triangles; and their vertices.
+  std::vector<MeshPolygon> polygon;
+  std::vector<uint32_t> corner;
 
   /// A triangle with a coordinate that is NaN or infinite cannot be projected.
   bool is_finite(const std::array<uint32_t, 3>& t) const {
