@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <cstdio>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,7 @@
 // Depth and colour against the judge: the documented bounds hold on every covered sample.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>

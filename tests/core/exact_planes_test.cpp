@@ -1,6 +1,7 @@
 // The design without a reciprocal: each code is the nearest one to the exact value.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/core/frame.h"

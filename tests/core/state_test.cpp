@@ -1,7 +1,9 @@
 // Raster state: depth functions, depth write, scissor, depth bias, flat shading.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "model/core/frame.h"
 #include "tests/core/support.h"

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/vectors/samples.h"
 #include "vectors/rng.h"
 
