@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/spec/widths.h"
 
@@ -127,12 +128,17 @@ bool has_rom(const Design& d) {
          d.reciprocal_scheme == ReciprocalScheme::kQuadratic;
 }
 
-/// A parameter beyond its range.
+/// A parameter beyond its range, by the key and in the unit of a design file.
 std::string range_reason(const Design& d) {
   const auto outside = [](const char* what, int value, int low, int high) {
     return value < low || value > high
                ? fmt::format("{} is {}, must be {} to {}", what, value, low, high)
                : std::string();
+  };
+  const auto side_outside = [](const char* what, int log2, int low, int high) {
+    return log2 < low || log2 > high ? fmt::format("{} is {}, must be {} to {}", what,
+                                                   std::exp2(log2), std::exp2(low), std::exp2(high))
+                                     : std::string();
   };
   const bool newton = d.reciprocal_scheme == ReciprocalScheme::kNewton;
   const bool has_planes = has_reciprocal(d);
@@ -153,7 +159,7 @@ std::string range_reason(const Design& d) {
         outside_if(has_planes, "gradient_fraction_bits", d.gradient_fraction_bits, 8, 20),
         outside_if(has_planes, "tile_fraction_bits", d.tile_fraction_bits, 1,
                    d.gradient_fraction_bits),
-        outside("tile_log2", d.tile_log2, 2, std::min(6, d.guard_bits - 1)),
+        side_outside("tile_px", d.tile_log2, 2, std::min(6, d.guard_bits - 1)),
         outside_if(d.hierarchical_z, "hierarchical_z_bits", d.hierarchical_z_bits, 4, 16),
         outside_if(d.hierarchical_z, "hierarchical_z_tiles", d.hierarchical_z_tiles, 1, 1 << 20),
         outside_if(d.hierarchical_z, "hierarchical_z_delay_cycles", d.hierarchical_z_delay_cycles,
@@ -161,8 +167,8 @@ std::string range_reason(const Design& d) {
         outside("prim_fifo_depth", d.prim_fifo_depth, 1, 1024),
         outside("tile_fifo_depth", d.tile_fifo_depth, 1, 1024),
         outside("stamp_fifo_depth", d.stamp_fifo_depth, 1, 1024),
-        outside("stamp_width_log2", d.stamp_width_log2, 0, 2),
-        outside("stamp_height_log2", d.stamp_height_log2, 0, 2),
+        side_outside("stamp_width_px", d.stamp_width_log2, 0, 2),
+        side_outside("stamp_height_px", d.stamp_height_log2, 0, 2),
         outside("max_depth_latency_cycles", d.max_depth_latency_cycles, 1, 1024),
         outside("depth_latency_cycles", d.depth_latency_cycles, 1, d.max_depth_latency_cycles)}) {
     if (!reason.empty()) return reason;

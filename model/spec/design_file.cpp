@@ -144,12 +144,7 @@ void set(const std::string& path, const std::string& name, const toml::node& nod
 /// The line of the key that a reason begins with, or the first.
 uint32_t line_of(const toml::table& table, const std::string& reason) {
   for (const auto& [key, node] : table) {
-    const std::string name(key.str());
-    const std::string parameter = name == "tile_px"           ? "tile_log2"
-                                  : name == "stamp_width_px"  ? "stamp_width_log2"
-                                  : name == "stamp_height_px" ? "stamp_height_log2"
-                                                              : name;
-    if (reason.rfind(parameter + " ", 0) == 0) return node.source().begin.line;
+    if (reason.rfind(std::string(key.str()) + " ", 0) == 0) return node.source().begin.line;
   }
   return 1;
 }

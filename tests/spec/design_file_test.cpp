@@ -64,7 +64,8 @@ TEST(DesignFile, RefusesWithFileLineAndWhatWasExpected) {
       {"\ndepth_bits = 99999999999\n", "d.toml:2: expected depth_bits"},
       {"\n\ndepth_bits = 15\n", "d.toml:3: expected a design that can be built: depth_bits is 15"},
       {"tile_px = 12\n", "d.toml:1: expected tile_px to be a power of two, got 12"},
-      {"name = \"a\"\ntile_px = 128\n", "d.toml:2: expected a design that can be built: tile_log2"},
+      {"name = \"a\"\ntile_px = 128\n",
+       "d.toml:2: expected a design that can be built: tile_px is 128, must be 4 to 64"},
       {"tile_px = 0\n", "power of two"},
       {"base = \"best\"\n", "d.toml:1: expected base to be a named design, got best"},
       {"name = 7\n", "d.toml:1: expected name to be a text"},
@@ -87,6 +88,28 @@ TEST(DesignFile, RefusesWithFileLineAndWhatWasExpected) {
     }
   }
   EXPECT_THROW(read_design("no/such/file.toml"), DesignFileError);
+}
+
+// In px where the key is in px, and at its line.
+TEST(DesignFile, ValueBeyondTheRangeIsNamedByItsKeyAsItWasWritten) {
+  const std::string every_part = "perspective = true\nhierarchical_z = true\n";
+  int numbers = 0;
+  for (const Parameter& p : parameters(kHighTile)) {
+    if (p.value.find_first_not_of("0123456789") != std::string::npos) continue;
+    ++numbers;
+    try {
+      parse_design(every_part + p.name + " = 524288\n", "d.toml");
+      // A frame may have so many tiles.
+      EXPECT_EQ(p.name, std::string("hierarchical_z_tiles"));
+    } catch (const DesignFileError& error) {
+      const std::string says = error.what();
+      EXPECT_NE(says.find(std::string("d.toml:3: expected a design that can be built: ") + p.name +
+                          " is 524288, must be "),
+                std::string::npos)
+          << says;
+    }
+  }
+  EXPECT_GT(numbers, 20);
 }
 
 // What differs from a named design says all, in few lines.
