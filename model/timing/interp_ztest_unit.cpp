@@ -34,7 +34,6 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
   tile_stamps_log2_ = core::stamps_log2(d);
   write_free_ = retired_ = exit_ = -1;
 
-  shader_.reset();
   if (!frame->tokens) {
     const bool all = frame->planes == core::Planes::kAll;
     shader_.emplace(contract_, frame->state,
@@ -45,6 +44,7 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
                                  : std::max<Cycle>(2, frame->depth_latency + 1) + 1;
     return;
   }
+  shader_.reset();
   register_ = {};
   address_free_.assign(tiles << tile_stamps_log2_, 0);
   pending_.assign(address_free_.size(), 0);
@@ -157,7 +157,7 @@ uint32_t InterpZtestUnit::greatest_depth(int x, int y) const {
 Cycle InterpZtestUnit::take_token(const StampToken& token, Cycle visible) {
   const spec::Stamp& stamp = *token.tile->stamp;
   const size_t address = address_of(*token.tile->cover, token.place);
-  spec::DepthData data;
+  spec::DepthData data{};
   time_.starve(visible);
   Cycle response = 0;
   const Cycle accepted = accept(token, address, &data, &response);
