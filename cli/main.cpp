@@ -5,6 +5,7 @@
 
 #include "cli/options.h"
 #include "cli/output.h"
+#include "model/files/unfinished.h"
 #include "model/spec/design_file.h"
 #include "tb/rtl.h"
 
@@ -84,5 +85,6 @@ int sc_main(int argc, char** argv) { return run(argc, argv); }
 int main(int argc, char** argv) {
   // Its banner has no place in a command's output.
   setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
+  pineda::files::remove_unfinished_on_signals();
   return sc_core::sc_elab_and_sim(argc, argv);
 }

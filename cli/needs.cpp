@@ -37,9 +37,7 @@ std::string differences(const spec::Design& design, const spec::Design& base) {
 
 int run(const NeedsOptions& options) {
   const std::string& out = options.out;
-  if (!out.empty() && (out.size() <= 5 || out.substr(out.size() - 5) != ".toml")) {
-    throw UsageError(fmt::format("--out: expected a file .toml, got '{}'", out));
-  }
+  require_ending("--out", out, {".toml"});
   studies::NeedsOptions needs_options = options.needs;
   const spec::Design base = needs_options.base = contract_of(options).design;
   require_of(options, base, spec::no_cycles_reason);

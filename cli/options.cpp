@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <filesystem>
 
 #include "model/spec/design_file.h"
 
@@ -168,6 +169,18 @@ spec::Contract contract_of(const Options& options) {
 void require_of(const Options& options, const spec::Design& design, Lack lack) {
   const std::string why = lack(design);
   if (!why.empty()) throw UsageError(fmt::format("--design {}: {}", options.design, why));
+}
+
+void require_ending(const char* option, const std::string& file,
+                    const std::vector<std::string>& endings) {
+  if (file.empty()) return;
+  const std::filesystem::path path(file);
+  std::string wanted;
+  for (const std::string& ending : endings) {
+    if (path.extension() == ending) return;
+    wanted += (wanted.empty() ? "" : " or ") + ending;
+  }
+  throw UsageError(fmt::format("{}: expected a file {}, got '{}'", option, wanted, file));
 }
 
 scene::Scene open(const Options& o, const spec::Contract& contract, bool multi_pass) {

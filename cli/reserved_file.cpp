@@ -27,6 +27,8 @@ ReservedFile::ReservedFile(const std::string& path) : path_(path), place_(path) 
   }
   make_folders(place_.parent_path());
   temporary_ = fmt::format("{}.partial-{}", place_.string(), ::getpid());
+  unfinished_.emplace_back(temporary_);
+  unfinished_.emplace_back(temporary_ + ".hier");
   file_ = std::fopen(temporary_.c_str(), "wb");
   if (file_ != nullptr) return;
   const std::string why = std::strerror(errno);
@@ -39,6 +41,7 @@ void ReservedFile::make_folders(const fs::path& folder) {
   std::error_code error;
   if (folder.empty() || fs::exists(folder, error)) return;
   make_folders(folder.parent_path());
+  unfinished_.emplace_back(folder.string());
   if (fs::create_directory(folder, error)) made_.push_back(folder);
 }
 
@@ -56,6 +59,7 @@ void ReservedFile::keep(bool written) {
   if (!written || !closed) fail(path_, std::strerror(errno));
   if (std::rename(temporary_.c_str(), place_.c_str()) != 0) fail(path_, std::strerror(errno));
   temporary_.clear();
+  unfinished_.clear();
 }
 
 }  // namespace pineda::cli

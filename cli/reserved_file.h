@@ -3,14 +3,17 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <list>
 #include <string>
 #include <vector>
+
+#include "model/files/unfinished.h"
 
 namespace pineda::cli {
 
 /// A place for a file, held under a temporary name: so that it is known before the work, not after
 /// it, that the file can be written. Unless it is kept nothing is left behind, and an older file of
-/// that name stays as it was.
+/// that name stays as it was; nor when a signal ends the program.
 ///
 /// Errors   scene::InputError in one line.
 class ReservedFile {
@@ -36,6 +39,7 @@ class ReservedFile {
   std::string temporary_;
   std::FILE* file_ = nullptr;
   std::vector<std::filesystem::path> made_;  // folders, the inner ones last
+  std::list<files::Unfinished> unfinished_;  // all of these, and what GTKWave's writer adds
 };
 
 }  // namespace pineda::cli

@@ -1,12 +1,13 @@
 // pineda rtl: the Verilated RTL alone.
-#include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "cli/cycles.h"
 #include "cli/memory_report.h"
 #include "cli/models.h"
 #include "cli/needs.h"
 #include "cli/pictures.h"
+#include "cli/reserved_file.h"
 #include "cli/triangles.h"
 
 namespace pineda::cli {
@@ -17,33 +18,6 @@ struct RtlOptions : Options {
   std::string dump;
   std::string trace;
   int bench = 0;
-};
-
-// The waveform appears under its name once it is whole.
-class TraceFile {
- public:
-  TraceFile(const std::string& path, tb::FrameBench* bench) : path_(path) {
-    if (path_.empty()) return;
-    std::error_code error;  // found again when the file is opened
-    const auto folder = std::filesystem::path(path_).parent_path();
-    if (!folder.empty()) std::filesystem::create_directories(folder, error);
-    if (!bench->trace(path_ + ".part")) {
-      throw scene::InputError(path_, "cannot be written");
-    }
-  }
-  ~TraceFile() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove(path_ + ".part", ignored);
-  }
-  void keep() {
-    if (path_.empty()) return;
-    std::error_code error;
-    std::filesystem::rename(path_ + ".part", path_, error);
-    if (error) throw scene::InputError(path_, "cannot be written: " + error.message());
-  }
-
- private:
-  std::string path_;
 };
 
 Json rtl_json(const RtlOptions& options, const tb::BenchOptions& bench, const Job& job,
@@ -62,6 +36,7 @@ Json rtl_json(const RtlOptions& options, const tb::BenchOptions& bench, const Jo
 }
 
 int run(const RtlOptions& options) {
+  require_ending("--trace", options.trace, {".fst"});
   const Output output(options);
   Progress progress(options);
   const bool multi_pass = options.bench > 0 && !options.dump.empty();
@@ -69,9 +44,13 @@ int run(const RtlOptions& options) {
   const spec::Contract& contract = job.contract;
   const scene::Scene& scene = job.scene;
   const auto bench_opts = bench_options(options, contract);
+  std::optional<ReservedFile> trace;
+  if (!options.trace.empty()) trace.emplace(options.trace);
   const tb::RtlLibrary library(contract, [&](const std::string& text) { output.say(text); });
   auto bench = std::make_unique<tb::FrameBench>(library, bench_opts);
-  TraceFile trace(options.trace, bench.get());
+  if (trace && !bench->trace(trace->temporary())) {
+    throw scene::InputError(options.trace, "expected to write it, got: it cannot be opened");
+  }
 
   tb::FrameResult result;
   const auto run_frame = [&](tb::Listener* listener) {
@@ -99,7 +78,7 @@ int run(const RtlOptions& options) {
   // Stamps of hidden tiles are never sent: nobody knows how many there would have been.
   if (contract.design.hierarchical_z) frame.hits.clear();
   bench.reset();  // closes the waveform
-  trace.keep();
+  if (trace) trace->keep(true);
   if (!options.out.empty()) write_pictures(options.out, frame);
   if (!options.dump.empty()) scene::write_dump(options.dump, frame);
 

@@ -43,18 +43,6 @@ class Listeners final : public timing::Listener {
   std::vector<timing::Listener*> all_;
 };
 
-void require_ending(const char* option, const std::string& file,
-                    const std::vector<std::string>& endings) {
-  if (file.empty()) return;
-  const fs::path path(file);
-  std::string wanted;
-  for (const std::string& ending : endings) {
-    if (path.extension() == ending) return;
-    wanted += (wanted.empty() ? "" : " or ") + ending;
-  }
-  throw UsageError(fmt::format("{}: expected a file {}, got '{}'", option, wanted, file));
-}
-
 std::string save_file_of(const std::string& trace) {
   return fs::path(trace).replace_extension(".gtkw").string();
 }

@@ -14,6 +14,7 @@
 #include "model/spec/design_file.h"
 #include "model/spec/package.h"
 #include "tb/rtl.h"
+#include "tb/work_folder.h"
 
 namespace pineda::tb {
 namespace {
@@ -77,18 +78,6 @@ void require_tools(const spec::Contract& contract, const Kind& kind) {
   }
 }
 
-/// A folder of its own beside the result.
-fs::path make_work_folder(const fs::path& cache, const std::string& key) {
-  std::error_code error;
-  fs::create_directories(cache, error);
-  std::string name = (cache / (key + ".XXXXXX")).string();
-  if (error || mkdtemp(name.data()) == nullptr) {
-    throw PluginError(fmt::format(
-        "{}: expected a folder to keep the RTL of designs in ($PINEDA_CACHE)", cache.string()));
-  }
-  return name;
-}
-
 }  // namespace
 
 bool on_path(const std::string& tool) {
@@ -113,6 +102,8 @@ std::string cached(const spec::Contract& contract, const Kind& kind,
   require_tools(contract, kind);
   const std::string key = key_of(contract, kind);
   const fs::path result = cache / (key + ".so");
+  const fs::path log = cache / (key + ".log");
+  sweep_work_folders(cache);
   if (fs::exists(result)) return result.string();
   if (cache.string().find_first_of(" \t'\"$#%:") != std::string::npos) {
     throw PluginError(
@@ -120,28 +111,30 @@ std::string cached(const spec::Contract& contract, const Kind& kind,
                     "($PINEDA_CACHE)",
                     cache.string()));
   }
-  const fs::path work = make_work_folder(cache, key);
+  const WorkFolder folder(cache, key);
+  const fs::path& work = folder.path();
   if (say) {
     say(fmt::format("building {} of design '{}' once, into {}: one to three minutes", kind.what,
                     contract.design.name, cache.string()));
   }
   std::ofstream(work / "design.toml") << spec::design_toml(contract.design);
   // Programs lie in the build tree or in its bin/.
-  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
-  const fs::path beside = folder / "emit_package";
-  const fs::path emit = fs::exists(beside) ? beside : folder / "bin/emit_package";
+  const fs::path own = fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path emit =
+      fs::exists(own / "emit_package") ? own / "emit_package" : own / "bin/emit_package";
   const std::string command = fmt::format(
-      "make -s -j{0} -f '{1}/tb/{4}.mk' DESIGN={2}/design.toml EMIT='{3}' WORK={2}/objects "
-      "OUT={2}/plugin.so {5} > {2}/log 2>&1",
+      "exec make -s -j{0} -f '{1}/tb/{4}.mk' DESIGN={2}/design.toml EMIT='{3}' WORK={2}/objects "
+      "OUT={2}/plugin.so {5} < /dev/null > {2}/log 2>&1",
       std::max(1u, std::thread::hardware_concurrency()), kSource.string(), work.string(),
       emit.string(), kind.name, kind.compiler.empty() ? "" : "CXX=" + kind.compiler);
-  if (std::system(command.c_str()) != 0 || !fs::exists(work / "plugin.so")) {
+  std::error_code ignored;
+  if (!folder.run(command) || !fs::exists(work / "plugin.so")) {
+    fs::rename(work / "log", log, ignored);
     throw PluginError(fmt::format("the RTL of design '{}' could not be built: see {}",
-                                  contract.design.name, (work / "log").string()));
+                                  contract.design.name, log.string()));
   }
   fs::rename(work / "plugin.so", result);
-  std::error_code ignored;
-  fs::remove_all(work, ignored);
+  fs::remove(log, ignored);
   return result.string();
 }
 

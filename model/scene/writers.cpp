@@ -12,6 +12,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "model/files/unfinished.h"
 #include "model/scene/error.h"
 
 namespace pineda::scene {
@@ -30,7 +31,9 @@ constexpr uint32_t kFarthestGrey = 40;  // still tells the form from the black a
 class PendingFile {
  public:
   explicit PendingFile(const std::string& path)
-      : path_(path), temporary_(fmt::format("{}.partial-{}", path, ::getpid())) {
+      : path_(path),
+        temporary_(fmt::format("{}.partial-{}", path, ::getpid())),
+        unfinished_(temporary_) {
     file_ = std::fopen(temporary_.c_str(), "wb");
     if (file_ == nullptr) fail_to_write(path_);
   }
@@ -56,6 +59,7 @@ class PendingFile {
  private:
   std::string path_;
   std::string temporary_;
+  files::Unfinished unfinished_;
   FILE* file_ = nullptr;
   bool done_ = false;
 };

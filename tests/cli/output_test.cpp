@@ -75,11 +75,12 @@ std::ostream& operator<<(std::ostream& to, const BadPlace& bad) { return to << b
 
 class UnwritablePlace : public testing::TestWithParam<BadPlace> {};
 
-// In the scratch folder "file" is a file and "folder" is a folder.
+// In the scratch folder "file" is a file, "folder" and "folder.fst" are folders.
 TEST_P(UnwritablePlace, IsNamedInOneLine) {
   const Scratch scratch;
   scratch.write("file", "older");
   std::filesystem::create_directory(scratch.path("folder"));
+  std::filesystem::create_directory(scratch.path("folder.fst"));
   Arguments arguments = GetParam().arguments;
   arguments.emplace_back("--quiet");
   const Outcome run = pineda(arguments, inside(scratch.path(".")));
@@ -95,7 +96,8 @@ INSTANTIATE_TEST_SUITE_P(
                     BadPlace{"RenderJson", {"render", "triangle", "--json", "folder"}},
                     BadPlace{"RtlPictures", {"rtl", "triangle", "-o", "file"}},
                     BadPlace{"RtlDump", {"rtl", "triangle", "--dump", "file"}},
-                    BadPlace{"RtlTrace", {"rtl", "triangle", "--trace", "folder"}},
+                    BadPlace{"RtlTrace", {"rtl", "triangle", "--trace", "folder.fst"}},
+                    BadPlace{"RtlTraceBelowAFile", {"rtl", "triangle", "--trace", "file/a.fst"}},
                     BadPlace{"CheckReport", {"check", "triangle", "-o", "file"}},
                     BadPlace{"CheckJson", {"check", "triangle", "--json", "folder"}},
                     BadPlace{"TimeJson", {"time", "triangle", "--json", "folder"}},
@@ -118,7 +120,6 @@ INSTANTIATE_TEST_SUITE_P(Cli, BelowAFile,
                          testing::Values(BadPlace{"RenderPictures", {"render", "triangle", "-o"}},
                                          BadPlace{"RenderDump", {"render", "triangle", "--dump"}},
                                          BadPlace{"RtlDump", {"rtl", "triangle", "--dump"}},
-                                         BadPlace{"RtlTrace", {"rtl", "triangle", "--trace"}},
                                          BadPlace{"CheckReport", {"check", "triangle", "-o"}},
                                          BadPlace{"TimeJson", {"time", "triangle", "--json"}}),
                          [](const auto& param) { return param.param.name; });

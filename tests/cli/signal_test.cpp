@@ -1,0 +1,168 @@
+// A program that is ended by a signal leaves nothing unfinished behind, and says by its status that
+// it was.
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <thread>
+
+#include "tests/cli/program.h"
+
+namespace pineda::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `pineda ARGUMENTS...`, silent, until it is ended.
+class Running {
+ public:
+  explicit Running(Arguments arguments) {
+    arguments.insert(arguments.begin(), PINEDA_PROGRAM);
+    std::vector<char*> argv;
+    for (auto& word : arguments) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const int null = open("/dev/null", O_RDWR | O_CLOEXEC);
+    process_ = fork();
+    if (process_ == 0) {
+      for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(null, stream);
+      for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_DFL);
+      execv(argv[0], argv.data());
+      _exit(127);
+    }
+    close(null);
+  }
+  ~Running() {
+    if (process_ > 0) end_by(SIGKILL);
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  /// Until there is what is waited for; false if the program ends before.
+  bool comes_to(const std::function<bool()>& there) const {
+    while (!there()) {
+      siginfo_t ended{};
+      waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT);
+      if (ended.si_pid != 0) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return true;
+  }
+
+  /// The signal that ended it; 0: it ended by itself.
+  int end_by(int signal) {
+    int status = 0;
+    kill(process_, signal);
+    waitpid(process_, &status, 0);
+    process_ = 0;
+    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  }
+
+ private:
+  pid_t process_ = 0;
+};
+
+/// How many files of the scratch have a temporary name.
+std::ptrdiff_t temporary_files(const Scratch& scratch) {
+  const auto files = scratch.files();
+  return std::count_if(files.begin(), files.end(), [](const std::string& file) {
+    return file.find(".partial-") != std::string::npos;
+  });
+}
+
+class EverySignal : public testing::TestWithParam<int> {};
+
+TEST_P(EverySignal, TakesTheWaveformOfTheRtlAlong) {
+  const Scratch scratch;
+  Running rtl({"rtl", "teapot", "--size", "1920x1080", "--trace", scratch.path("new/a/rtl.fst")});
+  ASSERT_TRUE(rtl.comes_to([&] { return temporary_files(scratch) == 2; }));  // one is GTKWave's
+  EXPECT_EQ(rtl.end_by(GetParam()), GetParam());
+  EXPECT_TRUE(fs::is_empty(scratch.path("")));
+}
+
+TEST_P(EverySignal, TakesWhatShowsTimeAlongAndLeavesOlderFiles) {
+  const Scratch scratch;
+  scratch.write("old.json", "older");
+  Running time({"time", "teapot", "--size", "4000x4000", "--tessellate", "200", "--timeline",
+                scratch.path("old.json"), "--heat-map", scratch.path("map.png"), "--trace",
+                scratch.path("new/time.fst")});
+  ASSERT_TRUE(time.comes_to([&] { return temporary_files(scratch) == 4; }));
+  EXPECT_EQ(time.end_by(GetParam()), GetParam());
+  EXPECT_EQ(scratch.files(), std::vector<std::string>{"old.json"});
+  EXPECT_EQ(read_bytes(scratch.path("old.json")), "older");
+  EXPECT_FALSE(fs::exists(scratch.path("new")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Signal, EverySignal, testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+// The mutant: what nobody removes is seen.
+TEST(Signal, ThatCannotBeCaughtLeavesTheFile) {
+  const Scratch scratch;
+  Running rtl({"rtl", "teapot", "--size", "1920x1080", "--trace", scratch.path("rtl.fst")});
+  ASSERT_TRUE(rtl.comes_to([&] { return temporary_files(scratch) == 2; }));
+  EXPECT_EQ(rtl.end_by(SIGKILL), SIGKILL);
+  EXPECT_FALSE(fs::is_empty(scratch.path("")));
+}
+
+/// The folders of a cache of plug-ins.
+std::vector<std::string> folders_in(const std::string& cache) {
+  std::vector<std::string> all;
+  if (!fs::exists(cache)) return all;
+  for (const auto& entry : fs::directory_iterator(cache)) {
+    if (entry.is_directory()) all.push_back(entry.path().filename());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// Is there a folder in which a design of this name is verilated?
+bool verilates(const std::string& cache, const std::string& name) {
+  const auto folders = folders_in(cache);
+  return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
+    return folder.rfind(name + "_", 0) == 0 && fs::exists(cache + "/" + folder + "/objects");
+  });
+}
+
+TEST(PluginCache, VerilationEndedByASignalLeavesNoFolder) {
+  const Scratch scratch;
+  const std::string cache = scratch.path("cache");
+  const Environment place("PINEDA_CACHE", cache);
+  const std::string design = scratch.write("mine.toml", "depth_bits = 20\n");
+  Running rtl({"rtl", "triangle", "--design", design});
+  ASSERT_TRUE(rtl.comes_to([&] { return verilates(cache, "mine"); }));
+  EXPECT_EQ(rtl.end_by(SIGINT), SIGINT);
+  EXPECT_TRUE(fs::is_empty(cache));
+}
+
+// One stays locked by a living process, here this one; one is not of the cache's making.
+TEST(PluginCache, FoldersOfProcessesThatAreGoneAreSweptAtTheNextStart) {
+  const Scratch scratch;
+  const std::string cache = scratch.path("cache");
+  const Environment place("PINEDA_CACHE", cache);
+  scratch.write("cache/gone_0123456789abcdef.AbC123/objects/a.o", "");
+  scratch.write("cache/busy_0123456789abcdef.AbC123/objects/a.o", "");
+  scratch.write("cache/my_own_folder/a.o", "");
+  const int busy =
+      open((cache + "/busy_0123456789abcdef.AbC123").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  ASSERT_EQ(flock(busy, LOCK_EX), 0);
+  const std::string design = scratch.write("mine.toml", "depth_bits = 20\n");
+  Running killed({"rtl", "triangle", "--design", design});
+  ASSERT_TRUE(killed.comes_to([&] { return verilates(cache, "mine"); }));
+  EXPECT_EQ(folders_in(cache).size(), 3u);
+  EXPECT_EQ(killed.end_by(SIGKILL), SIGKILL);
+  EXPECT_EQ(folders_in(cache).size(), 3u);  // nobody has removed it
+
+  Running next({"rtl", "triangle", "--design", scratch.write("next.toml", "depth_bits = 21\n")});
+  ASSERT_TRUE(next.comes_to([&] { return verilates(cache, "next"); }));
+  EXPECT_EQ(next.end_by(SIGTERM), SIGTERM);
+  EXPECT_EQ(folders_in(cache),
+            (std::vector<std::string>{"busy_0123456789abcdef.AbC123", "my_own_folder"}));
+  close(busy);
+}
+
+}  // namespace
+}  // namespace pineda::test
