@@ -5,13 +5,15 @@
 SOURCE ?= $(abspath $(dir $(lastword $(MAKEFILE_LIST)))/..)
 VERILATOR ?= verilator
 CXXFLAGS ?= -O3
+# As in plugin.mk.
+VERILATOR_WARNINGS ?= -Wall -Wno-fatal
 RTL := $(SOURCE)/rtl
 # The package comes first; every design has its own.
 RTL_SOURCES := $(wildcard $(RTL)/lib/*.sv) $(filter-out %/pineda_pkg.sv,$(wildcard $(RTL)/*.sv))
 SELF := $(firstword $(MAKEFILE_LIST))
 
 VERILATOR_ROOT := $(shell $(VERILATOR) --getenv VERILATOR_ROOT)
-FLAGS := --cc -O3 --unroll-count 256 --x-assign fast --x-initial fast -Wall
+FLAGS := --cc -O3 --unroll-count 256 --x-assign fast --x-initial fast $(VERILATOR_WARNINGS)
 # What the design has, as the package says.
 PARTS = $(shell sed -n 's/^`define \(PINEDA_[A-Z_]*\)$$/-D\1/p' $(WORK)/pineda_pkg.sv)
 RUNTIME := $(VERILATOR_ROOT)/include/verilated.cpp $(VERILATOR_ROOT)/include/verilated_threads.cpp

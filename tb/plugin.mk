@@ -5,6 +5,8 @@
 SOURCE ?= $(abspath $(dir $(lastword $(MAKEFILE_LIST)))/..)
 VERILATOR ?= verilator
 CXXFLAGS ?= -O3
+# -Wall makes each of its warnings fatal. Other versions have others: those fail no user's build.
+VERILATOR_WARNINGS ?= -Wall -Wno-fatal
 RTL := $(SOURCE)/rtl
 # A plug-in has the units that it is built from.
 UNITS ?= setup_unit traversal_unit interp_ztest_unit raster_top loopback
@@ -15,7 +17,8 @@ SELF := $(firstword $(MAKEFILE_LIST))
 
 VERILATOR_ROOT := $(shell $(VERILATOR) --getenv VERILATOR_ROOT)
 # Loops over the in-flight table are longer than what Verilator unrolls by itself.
-FLAGS := --cc -O3 --unroll-count 256 --x-assign fast --x-initial fast --assert -Wall --prefix
+FLAGS := --cc -O3 --unroll-count 256 --x-assign fast --x-initial fast --assert $(VERILATOR_WARNINGS) \
+  --prefix
 # What the design has, as the package says.
 PARTS = $(shell sed -n 's/^`define \(PINEDA_[A-Z_]*\)$$/-D\1/p' $(WORK)/pineda_pkg.sv)
 RUNTIME := verilated verilated_fst_c verilated_threads

@@ -20,6 +20,6 @@ if [ $# -gt 5 ]; then
     exit 1
   fi
 fi
-"$verilator" --cc -O3 --x-assign fast --x-initial fast -Wall --prefix "V$name" --Mdir "$folder" \
-  --top-module $top "$rtl/lint/waivers.vlt" "$package" "$folder"/rtl/*.sv
+"$verilator" --cc -O3 --x-assign fast --x-initial fast ${VERILATOR_WARNINGS:--Wall} --prefix "V$name" \
+  --Mdir "$folder" --top-module $top "$rtl/lint/waivers.vlt" "$package" "$folder"/rtl/*.sv
 exec make -s -C "$folder" -f "V$name.mk" OPT_FAST=-O1 OPT_SLOW=-O0 "V${name}__ALL.a"
