@@ -55,7 +55,7 @@ constexpr Row kExtensions[] = {
     {"EXT_mesh_gpu_instancing", kRefused, kInstances},
     {"EXT_instance_features", kRefused, kInstances},
     {"KHR_gaussian_splatting*", kRefused, "splats are not drawn"},
-    {"KHR_techniques_webgl", kRefused, "a file's own shaders are not run"},
+    {"KHR_technique*", kRefused, "a file's own shaders are not run"},
     {"CESIUM_RTC", kRefused, "moves the triangles"},
 };
 

@@ -158,11 +158,9 @@ GltfView GltfPrimitiveReader::vectors(int accessor, const char* name) const {
   const bool is_small = is_normal ? view.is_signed() && view.is_normalized()
                                   : !view.is_float() && view.type() != GltfType::kU32;
   if (view.columns() != 3 || !(view.is_float() || (is_quantized_ && is_small))) {
-    const char* integers = !is_quantized_ ? ""
-                           : is_normal    ? " or normalized i8 or i16"
-                                          : ", i8, u8, i16 or u16";
+    const char* integers = is_normal ? "normalized i8 or i16" : "i8, u8, i16 or u16";
     fail(fmt::format("accessors[{}]", accessor),
-         is_quantized_ ? fmt::format("{} as VEC3 of float{}", name, integers)
+         is_quantized_ ? fmt::format("{} as VEC3 of float, or {}", name, integers)
                        : fmt::format("{} as float VEC3", name));
   }
   return view;

@@ -171,13 +171,13 @@ TEST(GltfQuantization, OtherTypesAndFilesThatDoNotNameItAreRefused) {
       is_one_line_with(error_with(unnamed), "accessors[0]: expected POSITION as float VEC3"));
   EXPECT_TRUE(
       is_one_line_with(error_with(quantized(kU32, packed(std::vector<uint32_t>(9, 1)), false)),
-                       "accessors[0]: expected POSITION as VEC3 of float, i8, u8, i16 or u16"));
+                       "accessors[0]: expected POSITION as VEC3 of float, or i8, u8, i16 or u16"));
   GltfFile file = quantized(kI16, nine, false);
   const int wrong[] = {file.accessor(kI16, "VEC3", 3, nine, false),
                        file.accessor(kU16, "VEC3", 3, nine, true)};
   for (const int normal : wrong) {
     primitive(&file)["attributes"]["NORMAL"] = normal;
-    EXPECT_TRUE(is_one_line_with(error_with(file), "NORMAL as VEC3 of float or normalized i8"));
+    EXPECT_TRUE(is_one_line_with(error_with(file), "NORMAL as VEC3 of float, or normalized i8"));
   }
   primitive(&file)["attributes"].erase("NORMAL");
   primitive(&file)["attributes"]["COLOR_0"] = file.accessor(kI16, "VEC3", 3, nine, true);
