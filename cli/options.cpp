@@ -113,23 +113,27 @@ void add_scene_options(CLI::App* command, Options* o) {
       ->check(CLI::IsMember(scene::words_of<spec::Shade>()))
       ->type_name("SHADE")
       ->group(meshes);
-  const std::string camera = "Camera (frames the mesh unless --eye is given)";
+  const std::string camera = "Camera (frames the mesh unless --eye or --camera is given)";
   auto* eye = command->add_option("--eye", o->eye, "Position")
                   ->delimiter(',')
                   ->expected(3)
                   ->type_name("X,Y,Z")
                   ->group(camera);
-  command
-      ->add_option("--look-at", o->look_at,
-                   "Point in the middle of the picture, 0,0,0 unless given")
-      ->delimiter(',')
-      ->expected(3)
-      ->type_name("X,Y,Z")
-      ->needs(eye)
-      ->group(camera);
-  command->add_option("--fov", o->fov_deg, "Vertical angle in degrees, 33 unless given")
-      ->type_name("DEG")
-      ->needs(eye)
+  auto* look_at = command
+                      ->add_option("--look-at", o->look_at,
+                                   "Point in the middle of the picture, 0,0,0 unless given")
+                      ->delimiter(',')
+                      ->expected(3)
+                      ->type_name("X,Y,Z")
+                      ->needs(eye)
+                      ->group(camera);
+  auto* fov = command->add_option("--fov", o->fov_deg, "Vertical angle in degrees, 33 unless given")
+                  ->type_name("DEG")
+                  ->needs(eye)
+                  ->group(camera);
+  command->add_option("--camera", o->camera, "One of a glTF file's own cameras, from 0")
+      ->type_name("N")
+      ->excludes(eye, look_at, fov)
       ->group(camera);
   add_output_options(command, o);
 }
@@ -205,6 +209,7 @@ scene::Scene open(const Options& o, const spec::Contract& contract, bool multi_p
     if (o.fov_deg) camera.fovy_deg = *o.fov_deg;
     options.camera = camera;
   }
+  options.camera_number = o.camera;
   options.tessellate = o.tessellate;
   options.seed = o.seed;
   options.multi_pass = multi_pass;

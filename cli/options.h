@@ -43,6 +43,7 @@ struct Options {
   std::string shade;
   std::vector<double> eye, look_at;
   std::optional<double> fov_deg;
+  std::optional<int> camera;  // of the file
 
   // Time
   std::string memory = memory::kind_name(memory::Kind::kIdeal);

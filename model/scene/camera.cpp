@@ -1,6 +1,7 @@
 #include "model/scene/camera.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -63,8 +64,11 @@ void set_planes(const Mesh& mesh, View* view) {
 
 std::array<double, 4> View::clip(const Vec3& world) const {
   const Vec3 p = world - eye;
+  const double x = scale_x * dot(right, p), y = scale_y * dot(up, p);
   const double w = -dot(back, p);
-  return {scale_x * dot(right, p), scale_y * dot(up, p), (w - near) * (far / (far - near)), w};
+  if (is_orthographic) return {x, y, (w - near) / (far - near), 1};
+  if (std::isinf(far)) return {x, y, w - near, w};
+  return {x, y, (w - near) * (far / (far - near)), w};
 }
 
 View framing_view(const Mesh& mesh, int width, int height) {
@@ -104,6 +108,25 @@ View camera_view(const Camera& camera, const Mesh& mesh, int width, int height) 
   }
   set_scale(std::tan(camera.fovy_deg * (M_PI / 360)), width, height, &view);
   set_planes(mesh, &view);
+  return view;
+}
+
+View file_view(const FileCamera& camera, int width, int height) {
+  if (!camera.wrong.empty()) throw std::invalid_argument(camera.wrong);
+  View view;
+  view.eye = camera.eye;
+  view.right = camera.right;
+  view.up = camera.up;
+  view.back = camera.back;
+  set_scale(camera.is_orthographic ? camera.ymag : std::tan(camera.yfov / 2), width, height, &view);
+  view.near = camera.near;
+  view.far = camera.far.value_or(std::numeric_limits<double>::infinity());
+  view.is_orthographic = camera.is_orthographic;
+  view.far_cuts = camera.far.has_value();
+  const double depth_scale = view.is_orthographic ? 1 / (view.far - view.near) : 1;
+  if (!std::isfinite(view.scale_x) || !std::isfinite(view.scale_y) || !std::isfinite(depth_scale)) {
+    throw std::invalid_argument("expected a camera that sees more than a point");
+  }
   return view;
 }
 

@@ -30,23 +30,31 @@ bool from_quaternion(const std::vector<double>& q, std::array<Vec3, 3>* rows) {
 
 class Graph {
  public:
-  Graph(const std::string& file, const tinygltf::Model& model)
-      : file_(file), model_(model), is_seen_(model.nodes.size()) {}
+  Graph(const std::string& file, const GltfDocument& document)
+      : file_(file), document_(document), is_seen_(document.nodes.size()) {}
 
   std::vector<PlacedNode> place() {
     // A stack of our own: a chain of nodes may be as long as the file allows.
-    std::vector<std::pair<int, Affine>> waiting;
-    const auto add = [&](const std::vector<int>& nodes, const Affine& parent) {
-      for (auto i = nodes.rbegin(); i != nodes.rend(); ++i) waiting.emplace_back(*i, parent);
+    struct Waiting {
+      int node;
+      Affine parent;
+      bool is_visible;
     };
-    add(roots(), Affine{});
+    std::vector<Waiting> waiting;
+    const auto add = [&](const std::vector<int>& nodes, const Affine& parent, bool is_visible) {
+      for (auto i = nodes.rbegin(); i != nodes.rend(); ++i) {
+        waiting.push_back({*i, parent, is_visible});
+      }
+    };
+    add(roots(), Affine{}, true);
     std::vector<PlacedNode> all;
     while (!waiting.empty()) {
-      const auto [i, parent] = waiting.back();
+      const Waiting next = waiting.back();
       waiting.pop_back();
-      const auto& node = visit(i);
-      all.push_back({&node, parent * local(i, node)});
-      add(node.children, all.back().world);
+      const auto& node = visit(next.node);
+      all.push_back({static_cast<size_t>(next.node), &node, next.parent * local(next.node, node),
+                     next.is_visible && node.is_visible});
+      add(node.children, all.back().world, all.back().is_visible);
     }
     return all;
   }
@@ -56,26 +64,26 @@ class Graph {
     throw InputError(file_, fmt::format("nodes[{}]: expected {}", node, expected));
   }
 
-  const tinygltf::Node& visit(int i) {
+  const GltfNode& visit(int i) {
     const auto at = static_cast<size_t>(i);
-    if (i < 0 || at >= is_seen_.size()) fail(i, fmt::format("one of {} nodes", is_seen_.size()));
+    if (at >= is_seen_.size()) fail(i, fmt::format("one of {} nodes", is_seen_.size()));
     if (is_seen_[at]) fail(i, "a tree, got a node that is reached twice");
     is_seen_[at] = true;
-    return model_.nodes[at];
+    return document_.nodes[at];
   }
 
   std::vector<int> roots() const {
-    const auto& scenes = model_.scenes;
+    const auto& scenes = document_.scenes;
     if (!scenes.empty()) {
-      const auto at = static_cast<size_t>(std::max(model_.defaultScene, 0));
-      if (at < scenes.size()) return scenes[at].nodes;
+      const auto at = static_cast<size_t>(document_.scene.value_or(0));
+      if (at < scenes.size()) return scenes[at];
       throw InputError(file_, fmt::format("scene: expected one of {}, got {}", scenes.size(), at));
     }
     std::vector<bool> is_child(is_seen_.size());
-    for (const auto& node : model_.nodes) {
+    for (const auto& node : document_.nodes) {
       for (const int child : node.children) {
-        if (static_cast<size_t>(child) < is_child.size())
-          is_child[static_cast<size_t>(child)] = true;
+        const auto at = static_cast<size_t>(child);
+        if (at < is_child.size()) is_child[at] = true;
       }
     }
     std::vector<int> all;
@@ -85,7 +93,7 @@ class Graph {
     return all;
   }
 
-  Affine local(int i, const tinygltf::Node& node) const {
+  Affine local(int i, const GltfNode& node) const {
     Affine result;
     if (!node.matrix.empty()) {
       if (!from_matrix(node.matrix, &result)) fail(i, "an affine matrix, its last row 0 0 0 1");
@@ -102,7 +110,7 @@ class Graph {
   }
 
   const std::string& file_;
-  const tinygltf::Model& model_;
+  const GltfDocument& document_;
   std::vector<bool> is_seen_;
 };
 
@@ -131,8 +139,37 @@ Affine operator*(const Affine& a, const Affine& b) {
   return c;
 }
 
-std::vector<PlacedNode> place_nodes(const std::string& file, const tinygltf::Model& model) {
-  return Graph(file, model).place();
+std::vector<PlacedNode> place_nodes(const std::string& file, const GltfDocument& document) {
+  return Graph(file, document).place();
+}
+
+FileCamera place_camera(const GltfDocument& document, const PlacedNode& placed) {
+  FileCamera camera;
+  const auto at = static_cast<size_t>(*placed.node->camera);
+  if (at >= document.cameras.size()) {
+    camera.wrong = fmt::format("cameras[{}]: expected one of {}", at, document.cameras.size());
+    return camera;
+  }
+  const GltfCamera& lens = document.cameras[at];
+  camera.is_orthographic = lens.is_orthographic;
+  camera.yfov = lens.yfov;
+  camera.ymag = lens.ymag;
+  camera.near = lens.near;
+  camera.far = lens.far;
+  camera.wrong = lens.wrong;
+  const auto& rows = placed.world.linear;
+  camera.eye = placed.world.offset;
+  camera.back = normalized({rows[0][2], rows[1][2], rows[2][2]});
+  camera.right = normalized(cross(normalized({rows[0][1], rows[1][1], rows[2][1]}), camera.back));
+  camera.up = cross(camera.back, camera.right);
+  const bool stands = scene::is_finite(camera.eye) && length(camera.back) > .5 &&
+                      length(camera.right) > .5 && length(camera.up) > .5;
+  if (!stands && camera.wrong.empty()) {
+    camera.wrong = fmt::format(
+        "nodes[{}]: expected a transform that keeps a camera's -Z and +Y apart, got a singular one",
+        placed.index);
+  }
+  return camera;
 }
 
 }  // namespace pineda::scene

@@ -1,7 +1,10 @@
 // A triangle mesh in world space: right-handed, y up, outside counter-clockwise.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "model/scene/vec.h"
@@ -18,6 +21,18 @@ struct MeshPolygon {
   uint32_t triangles = 0;
 };
 
+/// A camera that came with the mesh. The frame's aspect is not its own business.
+struct FileCamera {
+  Vec3 eye{0, 0, 0};
+  Vec3 right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};  // orthonormal; it looks along -back
+  bool is_orthographic = false;
+  double yfov = 1;  // radians, the full vertical angle of a perspective one
+  double ymag = 1;  // half of the height that an orthographic one sees
+  double near = 1;
+  std::optional<double> far;  // what lies beyond is cut; none: nothing is
+  std::string wrong;          // why it cannot be used, with its place in the file; empty: it can
+};
+
 struct Mesh {
   std::vector<Vec3> position;
   std::vector<Vec3> normal;  // unit length, one a position
@@ -30,6 +45,8 @@ struct Mesh {
   // Those that do not cross themselves, in the order of their triangles; and their vertices.
   std::vector<MeshPolygon> polygon;
   std::vector<uint32_t> corner;
+  std::vector<FileCamera>
+      camera;  // of the file; whether one of them is used is the caller's choice
 
   /// A triangle with a coordinate that is NaN or infinite cannot be projected.
   bool is_finite(const std::array<uint32_t, 3>& t) const {

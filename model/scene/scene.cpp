@@ -120,16 +120,26 @@ Scene open_ptrb(const spec::Contract& contract, const std::string& path, const O
   return snapped(contract, name, frame, std::move(reader));
 }
 
-Scene open_mesh(const spec::Contract& contract, const std::string& name, const Mesh& mesh,
-                const Options& options) {
-  const auto frame = frame_of(contract, name, options, Size{});
-  View view;
+View view_of(const std::string& name, const Mesh& mesh, const Options& options, int width,
+             int height) {
   try {
-    view = options.camera ? camera_view(*options.camera, mesh, frame.width, frame.height)
-                          : framing_view(mesh, frame.width, frame.height);
+    if (options.camera) return camera_view(*options.camera, mesh, width, height);
+    if (!options.camera_number) return framing_view(mesh, width, height);
+    const int number = *options.camera_number;
+    if (number < 0 || static_cast<size_t>(number) >= mesh.camera.size()) {
+      throw InputError(
+          name, fmt::format("expected one of {} cameras, got {}", mesh.camera.size(), number));
+    }
+    return file_view(mesh.camera[static_cast<size_t>(number)], width, height);
   } catch (const std::invalid_argument& error) {
     throw InputError(name, error.what());
   }
+}
+
+Scene open_mesh(const spec::Contract& contract, const std::string& name, const Mesh& mesh,
+                const Options& options) {
+  const auto frame = frame_of(contract, name, options, Size{});
+  const View view = view_of(name, mesh, options, frame.width, frame.height);
   return snapped(contract, std::filesystem::path(name).stem().string(), frame,
                  std::make_unique<MeshReader>(mesh, view, frame.width, frame.height,
                                               contract.design.guard_bits),
@@ -150,6 +160,10 @@ Scene open_mesh_file(const spec::Contract& contract, const std::string& path,
                      const Options& options, MeshFileReader read) {
   std::vector<std::string> warnings;
   const Mesh mesh = read(path, &warnings);
+  if (!mesh.camera.empty() && !options.camera_number) {
+    warnings.push_back(
+        fmt::format("{}: {} cameras not used (--camera N takes one)", path, mesh.camera.size()));
+  }
   Scene scene = open_mesh(contract, path, mesh, options);
   scene.warnings = std::move(warnings);
   return scene;
@@ -208,6 +222,9 @@ Scene open_scene(const spec::Contract& contract, const std::string& name, const 
   const bool is_mesh = read_mesh != nullptr || name == "teapot";
   refuse(name, options.tessellate && name != "teapot", "tessellation", "it is for teapot");
   refuse(name, options.camera && !is_mesh, "camera", "it is for meshes");
+  refuse(name, options.camera_number && read_mesh != read_gltf, "camera of the file",
+         "only .gltf and .glb have them");
+  refuse(name, options.camera_number && options.camera, "camera of the file", "another is given");
   if (name == "teapot") return open_teapot(contract, name, options);
   if (name == "triangle") return open_list(contract, name, options, {64, 64}, single_triangle);
   if (name == "grid") return open_list(contract, name, options, Size{}, jittered_grid);

@@ -37,7 +37,8 @@ struct Options {
   std::optional<bool> depth_write;
   std::optional<DepthBias> depth_bias;  // |constant| < 2^depth_bits
   std::optional<spec::Shade> shade;
-  std::optional<Camera> camera;  // meshes only; default: framing_view()
+  std::optional<Camera> camera;      // meshes only; default: framing_view()
+  std::optional<int> camera_number;  // one of Mesh::camera, .gltf and .glb only; without `camera`
 
   std::optional<int> tessellate;  // `teapot` only: quads along a patch's side, default 10
   uint64_t seed = 0;              // of random scenes

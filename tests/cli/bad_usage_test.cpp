@@ -51,6 +51,14 @@ INSTANTIATE_TEST_SUITE_P(
         BadUsage{"CullWithTri", {"time", "scene.tri", "--cull", "back"}, "scene.tri"},
         BadUsage{"DepthWithPtrb", {"check", "scene.ptrb", "--depth", "off"}, "scene.ptrb"},
         BadUsage{"CameraWithTri", {"render", "scene.tri", "--eye", "1,2,3"}, "scene.tri"},
+        BadUsage{
+            "FileCameraOfTeapot", {"render", "teapot", "--camera", "0"}, "only .gltf and .glb"},
+        BadUsage{"FileCameraNoNumber", {"render", "a.gltf", "--camera", "front"}, "--camera"},
+        BadUsage{"FileCameraAndEye",
+                 {"render", "a.gltf", "--camera", "0", "--eye", "1,2,3"},
+                 "--camera"},
+        BadUsage{
+            "FileCameraAndAngle", {"render", "a.gltf", "--camera", "0", "--fov", "30"}, "--fov"},
         BadUsage{"TessellateWithGrid", {"render", "grid", "--tessellate", "4"}, "grid"},
         BadUsage{"TessellateZero", {"render", "teapot", "--tessellate", "0"}, "1 to"},
         BadUsage{"EyeOfTwo", {"render", "teapot", "--eye", "1,2"}, "--eye"},

@@ -31,7 +31,7 @@ inline std::string base64(const std::string& bytes) {
   return text;
 }
 
-enum : int { kU8 = 5121, kU16 = 5123, kU32 = 5125, kF32 = 5126 };
+enum : int { kI8 = 5120, kU8 = 5121, kI16 = 5122, kU16 = 5123, kU32 = 5125, kF32 = 5126 };
 
 struct GltfFile {
   Json json = {{"asset", {{"version", "2.0"}}}};
@@ -53,6 +53,19 @@ struct GltfFile {
   }
   int vectors(const std::vector<float>& values) {
     return accessor(kF32, "VEC3", values.size() / 3, packed(values));
+  }
+  /// Puts values over rows of an accessor.
+  template <class Index>
+  void sparse(int over, int index_type, const std::vector<Index>& rows, const std::string& values) {
+    const int indices = accessor(index_type, "SCALAR", rows.size(), packed(rows));
+    const int other = accessor(kU8, "SCALAR", values.size(), values);
+    const auto view = [&](int i) {
+      return json["accessors"][static_cast<size_t>(i)]["bufferView"];
+    };
+    json["accessors"][static_cast<size_t>(over)]["sparse"] = {
+        {"count", rows.size()},
+        {"indices", {{"bufferView", view(indices)}, {"componentType", index_type}}},
+        {"values", {{"bufferView", view(other)}}}};
   }
   /// A mesh of one primitive and a node for it; the primitive.
   Json& mesh(const Json& attributes) {
@@ -80,6 +93,20 @@ struct GltfFile {
            chunk + u32(binary.size()) + std::string("BIN\0", 4) + binary;
   }
 };
+
+inline Json& primitive(GltfFile* file) { return file->json["meshes"][0]["primitives"][0]; }
+
+/// Vertex i stands at (i, i*i, 0), so that a triangle names its vertices.
+inline GltfFile numbered(size_t vertices) {
+  GltfFile file;
+  std::vector<float> positions;
+  for (size_t i = 0; i < vertices; ++i) {
+    const auto x = static_cast<float>(i);
+    positions.insert(positions.end(), {x, x * x, 0});
+  }
+  file.mesh({{"POSITION", file.vectors(positions)}});
+  return file;
+}
 
 /// The corners (0 0 0), (1 0 0), (0 1 0), without indices.
 inline GltfFile one_triangle() {
