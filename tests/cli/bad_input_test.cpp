@@ -71,7 +71,7 @@ std::vector<BadFile> text_files() {
           tri("TriUnknownCull", kHead + "cull both\n", 3),
           tri("TriUnknownDepth", kHead + "depth nearer\n", 3),
           tri("TriUnknownState", kHead + "fog on\n", 3),
-          tri("TriScissorNegative", kHead + "scissor -1 0 4 4\n", 3),
+          tri("TriScissorNegative", kHead + "scissor -1 0 -4 4\n", 3),
           tri("TriScissorTwice", kHead + "scissor 0 0 4 4\nscissor 0 0 4 4\n", 4),
           tri("TriUnknownDepthWrite", kHead + "depthwrite 1\n", 3),
           tri("TriBiasNotWhole", kHead + "depthbias 1e3 0\n", 3),

@@ -142,6 +142,220 @@ TEST(PlyReader, NanAndInfiniteVerticesDropTheirTrianglesOnly) {
   EXPECT_EQ(scene.source->counters().nan_dropped, 2u);
 }
 
+TEST(PlyReader, CommentsAndUnknownLinesOfTheHeaderMayStandAnywhere) {
+  const Mesh expected = read_text(kHead + kCorners + "4 0 1 2 3\n");
+  Lines warnings;
+  const Mesh commented =
+      read_text("ply\ncomment made by hand\nobj_info a b\nformat ascii 1.0\n" + kVertex +
+                    "comment\n" + kFace + "end_header\n" + kCorners + "4 0 1 2 3\n",
+                &warnings);
+  EXPECT_TRUE(warnings.empty());
+  EXPECT_EQ(commented.position, expected.position);
+  EXPECT_EQ(commented.triangle, expected.triangle);
+  const Mesh foreign = read_text("ply\nmade by hand\nformat ascii 1.0\n" + kVertex + "texture a\n" +
+                                     kFace + "end_header\n" + kCorners + "4 0 1 2 3\n",
+                                 &warnings);
+  EXPECT_EQ(foreign.triangle, expected.triangle);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(is_one_line_with(
+      warnings[0], "left out 2 lines of the header of unknown meaning, first 'made by hand'"));
+}
+
+TEST(PlyReader, AByteOrderMarkAndCarriageReturnsChangeNothing) {
+  const std::string text = kHead + kCorners + "4 0 1 2 3\n";
+  const Mesh expected = read_text(text);
+  std::string dos;
+  for (const char c : text) dos += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  std::string strays = "\xef\xbb\xbf" + kHead;
+  for (const char c : kCorners) strays += c == ' ' ? '\r' : c;
+  for (const auto& other : {"\xef\xbb\xbf" + text, dos, strays + "\r4 0\r1 2\r\r3\r\r\n"}) {
+    Lines warnings;
+    const Mesh mesh = read_text(other, &warnings);
+    EXPECT_EQ(mesh.position, expected.position);
+    EXPECT_EQ(mesh.triangle, expected.triangle);
+    EXPECT_TRUE(warnings.empty());
+  }
+}
+
+// A triangle whose vertices have the properties of type uchar.
+std::string with_properties(const std::vector<std::string>& names) {
+  std::string text = kAscii + "element vertex 3\nproperty float x\nproperty float y\n";
+  for (const auto& name : names) text += "property uchar " + name + "\n";
+  text += "property float z\n" + kFace + "end_header\n";
+  for (int i = 0; i < 3; ++i) {
+    text += std::to_string(i % 2) + " " + std::to_string(i / 2);
+    for (size_t k = 0; k < names.size(); ++k) text += " " + std::to_string(10 * i + k);
+    text += " 0\n";
+  }
+  return text + "3 0 1 2\n";
+}
+
+TEST(PlyReader, ColoursHaveAnyOfThreeNames) {
+  for (const Lines& names :
+       {Lines{"red", "green", "blue", "alpha"}, Lines{"r", "g", "b", "a"},
+        Lines{"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"}}) {
+    Lines warnings;
+    const Mesh mesh = read_text(with_properties(names), &warnings);
+    EXPECT_EQ(mesh.color, (std::vector<Rgba>{{0, 1, 2, 3}, {10, 11, 12, 13}, {20, 21, 22, 23}}));
+    EXPECT_EQ(read_text(with_properties({names[2], names[0], names[1]}), &warnings).color[1],
+              (Rgba{11, 12, 10, 255}));
+    EXPECT_TRUE(warnings.empty());
+  }
+}
+
+TEST(PlyReader, WhatLooksLikeAColourAndIsNotUsedIsSaid) {
+  const std::vector<std::pair<Lines, const char*>> unused = {
+      {{"red"}, "colours not used: 'vertex' has 'red', expected red, green and blue"},
+      {{"alpha"}, "colours not used: 'vertex' has 'alpha'"},
+      {{"r", "g"}, "colours not used: 'vertex' has 'r', 'g'"},
+      {{"ambient_red", "ambient_green", "ambient_blue"}, "'vertex' has 'ambient_red', 'amb"},
+      {{"Red", "Green", "Blue"}, "colours not used: 'vertex' has 'Red', 'Green', 'Blue'"},
+      {{"f_dc_0", "f_dc_1", "f_dc_2"}, "colours not used: 'vertex' has 'f_dc_0'"},
+      {{"red", "green", "blue", "red"}, "colours not used: 'vertex' has 'red'"},
+      {{"c1_red", "c2_red", "c3_red", "c4_red", "c5_red"}, "'c4_red' and 1 more, expected"},
+  };
+  for (const auto& [names, message] : unused) {
+    Lines warnings;
+    EXPECT_TRUE(read_text(with_properties(names), &warnings).color.empty()) << message;
+    ASSERT_EQ(warnings.size(), 1u) << message;
+    EXPECT_TRUE(is_one_line_with(warnings[0], message));
+  }
+  const std::vector<std::pair<Lines, const char*>> beside = {
+      {{"red", "green", "blue", "specular_red"}, "beside the colours of 'vertex': 'specular_red'"},
+      {{"r", "g", "b", "red"}, "beside the colours of 'vertex': 'red'"},
+      {{"red", "green", "blue", "r", "g", "b"}, "beside the colours of 'vertex': 'r', 'g', 'b'"},
+  };
+  for (const auto& [names, message] : beside) {
+    Lines warnings;
+    EXPECT_EQ(read_text(with_properties(names), &warnings).color[1], (Rgba{10, 11, 12, 255}));
+    ASSERT_EQ(warnings.size(), 1u) << message;
+    EXPECT_TRUE(is_one_line_with(warnings[0], message));
+  }
+  Lines warnings;
+  read_text(with_properties({"red", "green", "blue", "a", "b", "quality"}), &warnings);
+  EXPECT_TRUE(warnings.empty());
+}
+
+const std::string kFaceColors =
+    "property uchar diffuse_red\nproperty uchar diffuse_green\nproperty uchar diffuse_blue\n";
+
+TEST(PlyReader, AFaceWithAColourHasVerticesOfItsOwn) {
+  Lines warnings;
+  const Mesh mesh =
+      read_text(kAscii + kVertex + "element face 2\nproperty list uchar int vertex_indices\n" +
+                    kFaceColors + "end_header\n" + kCorners + "4 0 1 2 3 9 8 7\n3 2 1 0 1 2 3\n",
+                &warnings);
+  EXPECT_TRUE(warnings.empty());
+  EXPECT_EQ(mesh.position,
+            (std::vector<Vec3>{
+                {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}}));
+  EXPECT_EQ(mesh.triangle, (Triangles{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}}));
+  EXPECT_EQ(mesh.corner, (std::vector<uint32_t>{0, 1, 2, 3}));
+  ASSERT_EQ(mesh.color.size(), 7u);
+  for (size_t i = 0; i < 7; ++i) {
+    EXPECT_EQ(mesh.color[i], i < 4 ? (Rgba{9, 8, 7, 255}) : (Rgba{1, 2, 3, 255}));
+  }
+  ASSERT_EQ(mesh.normal.size(), 7u);
+  EXPECT_FALSE(mesh.is_lit);
+}
+
+TEST(PlyReader, ColoursOfVerticesComeBeforeThoseOfFaces) {
+  const std::string red = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  std::string vertices;
+  for (int i = 0; i < 4; ++i) vertices += "0 " + std::to_string(i) + " 0 5 6 7\n";
+  Lines warnings;
+  const Mesh mesh = read_text(
+      kAscii + kVertex + red + kFace + kFaceColors + "end_header\n" + vertices + "3 0 1 2 9 8 7\n",
+      &warnings);
+  EXPECT_EQ(mesh.color, std::vector<Rgba>(4, Rgba{5, 6, 7, 255}));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(
+      is_one_line_with(warnings[0], "colours of faces not used: the vertices have colours"));
+  // Of two kinds of faces one has colours.
+  warnings.clear();
+  const Mesh mixed =
+      read_text(kAscii + kVertex + kFace + kFaceColors +
+                    "element tristrips 1\nproperty list uchar int vertex_indices\nend_header\n" +
+                    kCorners + "3 0 1 2 9 8 7\n3 0 1 2\n",
+                &warnings);
+  EXPECT_TRUE(mixed.color.empty());
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(is_one_line_with(warnings[0], "colours of faces not used: faces or tristrips have"));
+}
+
+TEST(PlyReader, NormalsThatAreNotFiniteAreTheMeanAndCounted) {
+  const std::string head = kAscii + kVertex +
+                           "property float nx\nproperty float ny\nproperty float nz\n" + kFace +
+                           "end_header\n0 0 0 1 0 0\n1 0 0 nan 0 0\n1 1 0 0 inf 0\n0 1 0 ";
+  Lines warnings;
+  const Mesh mesh = read_text(head + "nan nan nan\n3 0 1 2\n", &warnings);
+  EXPECT_EQ(mesh.normal[0], (Vec3{1, 0, 0}));
+  EXPECT_EQ(mesh.normal[1], (Vec3{0, 0, 1}));
+  EXPECT_EQ(mesh.normal[2], (Vec3{0, 0, 1}));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(is_one_line_with(warnings[0], "2 normals are not finite"));
+  // No face names the fourth vertex.
+  warnings.clear();
+  const std::string only_unused =
+      kAscii + kVertex + "property float nx\nproperty float ny\nproperty float nz\n" + kFace +
+      "end_header\n0 0 0 1 0 0\n1 0 0 1 0 0\n1 1 0 1 0 0\n" + "0 1 0 nan 0 0\n3 0 1 2\n";
+  EXPECT_EQ(read_text(only_unused, &warnings).normal[2], (Vec3{1, 0, 0}));
+  EXPECT_TRUE(warnings.empty());
+  read_text(kAscii + kVertex + "property float nx\n" + kFace + "end_header\n0 0 0 1\n1 0 0 1\n" +
+                "1 1 0 1\n0 1 0 1\n3 0 1 2\n",
+            &warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(is_one_line_with(warnings[0], "normals not used: not all of nx, ny and nz"));
+}
+
+TEST(PlyReader, ConcavePolygonsAreCutInsideAndTheirFirstVertexProvokes) {
+  // An arrow whose fan from the first corner lies outside.
+  Lines warnings;
+  const Mesh mesh =
+      read_text(kHead + "-1.2 -1.3 0\n0 -.4 0\n1.2 -1.3 0\n0 1.5 0\n4 0 1 2 3\n", &warnings);
+  EXPECT_TRUE(warnings.empty());
+  ASSERT_EQ(mesh.triangle.size(), 2u);
+  for (const auto& t : mesh.triangle) {
+    const Vec3 &a = mesh.position[t[0]], &b = mesh.position[t[1]], &c = mesh.position[t[2]];
+    EXPECT_GT(cross(b - a, c - a)[2], 0);
+  }
+  EXPECT_EQ(mesh.provoking, (std::vector<uint32_t>{0, 0}));
+  ASSERT_EQ(mesh.polygon.size(), 1u);
+  EXPECT_EQ(mesh.corner, (std::vector<uint32_t>{0, 1, 2, 3}));
+}
+
+TEST(PlyReader, ATriangleOfAStripIsProvokedByItsOwnFirstCorner) {
+  const Mesh mesh =
+      read_text(kAscii + kVertex + kFace +
+                "element tristrips 1\nproperty list uchar int vertex_indices\nend_header\n" +
+                "-1.2 -1.3 0\n0 -.4 0\n1.2 -1.3 0\n0 1.5 0\n4 0 1 2 3\n4 0 1 2 3\n");
+  ASSERT_EQ(mesh.triangle.size(), 4u);
+  EXPECT_EQ(mesh.provoking, (std::vector<uint32_t>{0, 0, 0, 1}));
+}
+
+TEST(PlyReader, BinaryValuesAcrossBlocksAreRead) {
+  // 13 bytes a vertex: values lie across every border of the reader's blocks in turn.
+  constexpr uint32_t kVertices = 40000;
+  for (const bool big : {false, true}) {
+    std::string text = std::string("ply\nformat ") +
+                       (big ? "binary_big_endian" : "binary_little_endian") + " 1.0\n" +
+                       "element vertex " + std::to_string(kVertices) +
+                       "\nproperty uchar a\nproperty float x\nproperty float y\n" +
+                       "property float z\n" + kFace + "end_header\n";
+    for (uint32_t i = 0; i < kVertices; ++i) {
+      text += raw(uint8_t{1}, big);
+      for (uint32_t k = 0; k < 3; ++k) text += raw(static_cast<float>(3 * i + k), big);
+    }
+    text += raw(uint8_t{3}, big) + raw(7, big) + raw(8, big) + raw(39999, big);
+    const Mesh mesh = read_text(text);
+    ASSERT_EQ(mesh.position.size(), kVertices);
+    for (uint32_t i = 0; i < kVertices; ++i) {
+      ASSERT_EQ(mesh.position[i], (Vec3{3. * i, 3. * i + 1, 3. * i + 2}));
+    }
+    EXPECT_EQ(mesh.triangle, (Triangles{{7, 8, 39999}}));
+  }
+}
+
 struct Refusal {
   const char* name;
   std::string bytes;
@@ -176,8 +390,15 @@ const std::vector<Refusal> kRefusals = {
     {"UnknownEncoding", "ply\nformat text 1.0\n", ":2: expected ascii, binary_little_endian or"},
     {"OtherVersion", "ply\nformat ascii 2.0\n", ":2: expected version 1.0, got '2.0'"},
     {"HeaderEnds", kAscii + kVertex, ":6: expected end_header"},
-    {"UnknownKeyword", kAscii + "elements vertex 1\n", ":3: expected element, property, comment"},
-    {"PropertyFirst", kAscii + "property float x\n", ":3: expected element, property, comment"},
+    {"NoFormatAtAll", "ply\ncomment a\nend_header\n", ":3: expected a line 'format ...'"},
+    {"FormatTwice", kAscii + "format ascii 1.0\n", ":3: expected one line 'format ...'"},
+    {"OldMacLineEnds", "ply\rformat ascii 1.0\relement vertex 1\r",
+     ":1: expected 'ply' alone in a line that ends with LF, got 'ply?format"},
+    {"UnknownLinesOnly", kAscii + "elements vertex 1\n", ":3: expected end_header"},
+    {"MisspeltProperty", kAscii + kVertex + "propety float w\n" + kFace + "end_header\n0 0 0 1\n",
+     ":11: expected the 3 words of a vertex"},
+    {"PropertyFirst", kAscii + "property float x\n",
+     ":3: expected an element before its properties"},
     {"UnknownType", kAscii + "element vertex 1\nproperty half x\n", ":4: expected a type from"},
     {"ListOfFloatLength", kAscii + "element face 1\nproperty list float int vertex_index\n",
      ":4: expected an integer type, got 'float'"},
@@ -221,6 +442,10 @@ const std::vector<Refusal> kRefusals = {
          "property float red\nproperty float green\nproperty float blue\n" + kFace +
          "end_header\n0 0 0 0 0 1.5\n",
      ":13: expected a colour from 0 to 1, got '1.5'"},
+    {"BadColourOfAFace",
+     kAscii + kVertex + kFace + "property float r\nproperty float g\nproperty float b\n" +
+         "end_header\n" + kCorners + "3 0 1 2 0 nan 0\n",
+     ":17: expected a colour from 0 to 1, got 'nan'"},
     {"BinaryVertexCut", binary(std::string(11, 0)), ": 'vertex' 0: expected more bytes, 0 of 1"},
     {"BinaryIndex", binary(std::string(12, 0) + raw(3, false) + raw(1, false)),
      ": 'face' 0: expected an index of 1 vertices, got '1'"},
