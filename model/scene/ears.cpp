@@ -11,8 +11,8 @@ using Triangles = std::vector<std::array<uint32_t, 3>>;
 
 // Which ears are taken; each one takes those before it too.
 enum class Care {
-  kClear,     // turning left, touched by no other corner
-  kTouching,  // other corners may touch it from outside; and spikes and repeated corners
+  kClear,     // turning left, touched by no other corner; and spikes and repeated corners
+  kTouching,  // other corners may touch it from outside
   kStraight   // and corners in the middle of a straight run, of triangles without area
 };
 
@@ -94,7 +94,7 @@ class Cutter {
   bool is_ear(uint32_t tip) {
     if (turn_[tip] < 0) return false;
     if (turn_[tip] > 0) return is_free(previous_[tip], tip, next_[tip]);
-    return care_ == Care::kStraight || (care_ == Care::kTouching && !is_between(tip));
+    return care_ == Care::kStraight || !is_between(tip);
   }
 
   // Does a corner without a turn lie between its neighbours?
@@ -217,7 +217,7 @@ class EveryWay {
   std::vector<uint32_t> apex_;
 };
 
-constexpr size_t kMostForEveryWay = 128;  // it takes n^3 / 6 steps
+constexpr size_t kMostForEveryWay = 256;  // it takes n^3 / 6 steps
 
 bool cut_every_way(const PlanarPolygon& polygon, const std::vector<uint32_t>& corner,
                    Triangles* triangles) {

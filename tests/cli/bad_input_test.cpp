@@ -55,7 +55,7 @@ std::vector<BadFile> text_files() {
   return {tri("TriEmpty", "", 1),
           tri("TriOtherVersion", "pineda-tri 2\nsize 8 8\n", 1),
           tri("TriBlankAfterFirstLine", "pineda-tri 1 \nsize 8 8\n", 1),
-          tri("TriCommentFirst", "# c\npineda-tri 1\nsize 8 8\n", 1),
+          tri("TriStateFirst", "# c\nsize 8 8\npineda-tri 1\n", 2),
           tri("TriNoSize", "pineda-tri 1\n" + kTriangle, 2),
           tri("TriNothingElse", "pineda-tri 1\n", 1),
           tri("TriSizeTwice", kHead + "size 8 8\n" + kTriangle, 3),

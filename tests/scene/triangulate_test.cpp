@@ -13,10 +13,6 @@
 namespace pineda::scene {
 namespace {
 
-int64_t between(Random* random, int64_t low, int64_t high) {
-  return std::uniform_int_distribution<int64_t>(low, high)(*random);
-}
-
 // A plane of whole numbers in space, as large as a power of two says.
 struct Plane {
   Vec3 origin{}, x{1, 0, 0}, y{0, 1, 0};
@@ -62,17 +58,6 @@ Triangles fan(size_t corners) {
   Triangles all;
   for (uint32_t i = 2; i < corners; ++i) all.push_back({0, i - 1, i});
   return all;
-}
-
-std::string shown(const LatticePolygon& polygon) {
-  std::string text;
-  for (const auto& p : polygon) text += "(" + std::to_string(p.x) + "," + std::to_string(p.y) + ")";
-  return text;
-}
-
-LatticePolygon turned(LatticePolygon polygon, size_t by) {
-  std::rotate(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(by), polygon.end());
-  return polygon;
 }
 
 // From every first corner, in both directions, in the plane of x and y and in another.
@@ -188,118 +173,6 @@ TEST(Triangulate, AnyExponentIsCutAlike) {
   Triangles triangles;
   EXPECT_EQ(triangulate(arrow, &triangles), PolygonShape::kSimple);
   EXPECT_EQ(fault_of(kArrow, triangles), "");
-}
-
-// Simple polygons.
-
-LatticePolygon star(Random* random, size_t n, int64_t size) {
-  LatticePolygon p;
-  for (size_t i = 0; i < n; ++i) {
-    const double angle = 2 * M_PI * static_cast<double>(i) / static_cast<double>(n);
-    const auto radius = static_cast<double>(between(random, size / 8, size));
-    p.push_back({std::llround(radius * std::cos(angle)), std::llround(radius * std::sin(angle))});
-  }
-  return p;
-}
-
-LatticePolygon comb(size_t teeth, int64_t depth) {
-  LatticePolygon p{{0, 0}};
-  const auto n = static_cast<int64_t>(teeth);
-  p.push_back({4 * n, 0});
-  for (int64_t i = n; i-- > 0;) {
-    p.push_back({4 * i + 4, depth});
-    p.push_back({4 * i + 2, depth});
-    p.push_back({4 * i + 2, 2});
-    p.push_back({4 * i, 2});
-  }
-  return p;
-}
-
-LatticePolygon spiral(size_t n) {
-  LatticePolygon p;
-  const auto at = [&](size_t i, double out) {
-    const double angle = .37 * static_cast<double>(i);
-    const double radius = 50 * (static_cast<double>(i) + 20 + out);
-    p.push_back({std::llround(radius * std::cos(angle)), std::llround(radius * std::sin(angle))});
-  };
-  for (size_t i = 0; i < n / 2; ++i) at(i, 0);
-  for (size_t i = n / 2; i-- > 0;) at(i, 6);
-  return p;
-}
-
-bool touch(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
-           const LatticePoint& d) {
-  const auto in_box = [](const LatticePoint& p, const LatticePoint& q, const LatticePoint& r) {
-    return std::min(p.x, q.x) <= r.x && r.x <= std::max(p.x, q.x) && std::min(p.y, q.y) <= r.y &&
-           r.y <= std::max(p.y, q.y);
-  };
-  const int s1 = sign(twice_area(a, b, c)), s2 = sign(twice_area(a, b, d));
-  const int s3 = sign(twice_area(c, d, a)), s4 = sign(twice_area(c, d, b));
-  if (s1 * s2 < 0 && s3 * s4 < 0) return true;
-  return (s1 == 0 && in_box(a, b, c)) || (s2 == 0 && in_box(a, b, d)) ||
-         (s3 == 0 && in_box(c, d, a)) || (s4 == 0 && in_box(c, d, b));
-}
-
-// A triangle grown by points of a small lattice, so that many lie on straight runs.
-LatticePolygon grown(Random* random, size_t n, int64_t size) {
-  LatticePolygon p{{0, 0}, {size, 0}, {0, size}};
-  for (size_t tries = 0; p.size() < n && tries < 40 * n; ++tries) {
-    const LatticePoint at{between(random, 0, size), between(random, 0, size)};
-    const auto i = static_cast<size_t>(between(random, 0, static_cast<int64_t>(p.size()) - 1));
-    const LatticePoint a = p[i], b = p[(i + 1) % p.size()];
-    bool is_free = !(twice_area(a, b, at) == 0 && touch(a, a, at, b));
-    for (size_t k = 0; is_free && k < p.size(); ++k) {
-      const LatticePoint c = p[k], d = p[(k + 1) % p.size()];
-      if (k == i) continue;
-      if (!(d == a) && touch(a, at, c, d)) is_free = false;
-      if (!(c == b) && touch(b, at, c, d)) is_free = false;
-      if (d == a && (twice_area(c, a, at) == 0 || touch(b, at, c, d))) is_free = false;
-      if (c == b && (twice_area(d, b, at) == 0 || touch(a, at, c, d))) is_free = false;
-    }
-    if (is_free) p.insert(p.begin() + static_cast<std::ptrdiff_t>(i) + 1, at);
-  }
-  return p;
-}
-
-// Random points, their crossings undone one after the other.
-LatticePolygon untangled(Random* random, size_t n, int64_t size) {
-  LatticePolygon p;
-  while (p.size() < n) {
-    const LatticePoint at{between(random, 0, size), between(random, 0, size)};
-    bool is_general = true;
-    for (size_t i = 0; i < p.size(); ++i) {
-      for (size_t k = 0; k < i; ++k) is_general = is_general && twice_area(p[i], p[k], at) != 0;
-      is_general = is_general && !(p[i] == at);
-    }
-    if (is_general) p.push_back(at);
-  }
-  for (bool has_crossing = true; has_crossing;) {
-    has_crossing = false;
-    for (size_t i = 0; i < n; ++i) {
-      for (size_t k = i + 2; k < n; ++k) {
-        if ((k + 1) % n == i || !touch(p[i], p[i + 1], p[k], p[(k + 1) % n])) continue;
-        std::reverse(p.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                     p.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-        has_crossing = true;
-      }
-    }
-  }
-  return p;
-}
-
-LatticePolygon simple(Random* random, size_t n) {
-  switch (between(random, 0, 4)) {
-    case 0:
-      return star(random, n, 100000);
-    case 1:
-      return comb(n / 4, between(random, 3, 50));
-    case 2:
-      return spiral(n);
-    case 3:
-      return grown(random, n, between(random, 4, 40));
-    default:
-      return untangled(random, std::min<size_t>(n, 24), 1000);
-  }
 }
 
 TEST(Triangulate, RandomSimplePolygonsInRandomPlanesAreCoveredOnce) {
@@ -456,7 +329,7 @@ TEST(Triangulate, LargePolygonsOfEveryKind) {
   std::vector<Vec3> circle;
   constexpr size_t kCorners = 1000000;
   for (size_t i = 0; i < kCorners; ++i) {
-    const double angle = 2 * M_PI * static_cast<double>(i) / kCorners;
+    const double angle = 2 * kPi * static_cast<double>(i) / kCorners;
     circle.push_back({std::cos(angle), std::sin(angle), std::cos(angle)});
   }
   Triangles triangles;
