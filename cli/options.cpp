@@ -31,9 +31,9 @@ scene::Scissor parse_scissor(const std::string& text) {
     const auto number = std::from_chars(at, end, value[i]);
     const bool last = i + 1 == value.size();
     const bool closed = last ? number.ptr == end : number.ptr != end && *number.ptr == ',';
-    if (number.ec != std::errc() || !closed || value[i] < 0) {
-      throw UsageError(
-          fmt::format("--scissor: expected X,Y,W,H, whole numbers of px from 0, got '{}'", text));
+    if (number.ec != std::errc() || !closed || (i >= 2 && value[i] < 0)) {
+      throw UsageError(fmt::format(
+          "--scissor: expected X,Y,W,H, whole numbers of px, W and H from 0, got '{}'", text));
     }
     at = number.ptr + (last ? 0 : 1);
   }

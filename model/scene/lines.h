@@ -5,7 +5,10 @@
 #include <istream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "model/scene/blocks.h"
 
 namespace pineda::scene {
 
@@ -15,25 +18,39 @@ std::unique_ptr<std::istream> open_file(const std::string& path);
 /// What a message quotes of a file: short, and printable whatever the file holds.
 std::string quoted(const std::string& text);
 
-/// Reads a text line by line and splits each into words. Words are separated by blanks; a carriage
-/// return counts as a blank, so files with CR LF line ends read the same.
+/// The word as a number, if all of it is one: what strtof and strtod return, hexadecimal numbers,
+/// nan and inf included. A NUL stands at the word's end.
+bool parse_number(const char* word, const char* end, float* value);
+bool parse_number(const char* word, const char* end, double* value);
+
+/// What stands in lines beyond words.
+struct LineSyntax {
+  bool comment_ends_word = true;     // '#' begins a comment anywhere, not only where a word would
+  bool backslash_continues = false;  // at a line's end, outside of comments
+};
+
+/// Reads a text line by line and splits each into words. A line ends with LF. Words are separated
+/// by blanks; a carriage return is a blank, so files with CR LF line ends read the same. A byte
+/// order mark (UTF-8) at the beginning of the file is skipped.
 class LineReader {
  public:
-  LineReader(std::string file, std::unique_ptr<std::istream> stream)
-      : file_(std::move(file)), stream_(std::move(stream)) {}
+  LineReader(std::string file, std::unique_ptr<std::istream> stream, LineSyntax syntax = {})
+      : file_(std::move(file)), blocks_(std::move(stream)), syntax_(syntax) {}
 
-  /// The next line as it stands, without its line end; false at the end of the file.
-  bool next_raw();
-  /// The next line that is neither blank nor a comment ('#'), split into words.
+  /// The next line that is neither blank nor a comment, split into words; false at the end of the
+  /// file. A line that is continued is one with the lines that continue it.
   bool next();
   void rewind();
 
-  const std::string& raw() const { return text_; }
+  /// The line, without its line end.
+  std::string_view raw() const { return raw_; }
   const std::vector<const char*>& words() const { return words_; }
+  const char* end_of_word(size_t i) const { return ends_[i]; }
   bool is(const char* keyword) const;
+  /// The number of the line, from 1; of one that is continued, of its first line.
   uint64_t line() const { return line_; }
-  /// The stream, just behind the line, for a file that goes on in another format.
-  std::istream& stream() { return *stream_; }
+  /// The bytes behind the line, for a file that goes on in another format.
+  BlockReader& bytes() { return blocks_; }
 
   /// Word `i` as a number, whatever strtof returns; throws if it is none.
   float number(size_t i) const;
@@ -42,17 +59,23 @@ class LineReader {
   /// Throws unless the line has `count` words; `form` shows the line that was expected.
   void expect_words(size_t count, const char* form) const;
   /// Throws "FILE:LINE: expected EXPECTED, got 'GOT'".
-  [[noreturn]] void fail(const std::string& expected, const std::string& got) const;
+  [[noreturn]] void fail(const std::string& expected, std::string_view got) const;
 
  private:
+  bool next_line();
+  bool is_continued() const;
+  void append_continuations();
   void split();
 
   std::string file_;
-  std::unique_ptr<std::istream> stream_;
-  std::string text_;   // the line
-  std::string split_;  // the line, each word closed by a NUL
-  std::vector<const char*> words_;
+  BlockReader blocks_;
+  LineSyntax syntax_;
+  std::string_view raw_;  // in blocks_ or joined_
+  std::string joined_;    // a line and those that continue it
+  std::string split_;     // the line, each word closed by a NUL
+  std::vector<const char*> words_, ends_;
   uint64_t line_ = 0;
+  uint64_t lines_read_ = 0;
 };
 
 }  // namespace pineda::scene

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
-#include <set>
 
 #include "model/scene/error.h"
 
@@ -46,36 +45,53 @@ double as(const char* bytes) {
 
 }  // namespace
 
-PlyFile::PlyFile(const std::string& file) : file_(file), lines_(file, open_file(file)) {
+// A '#' inside a word is part of a name.
+PlyFile::PlyFile(const std::string& file)
+    : file_(file), lines_(file, open_file(file), {false, false}) {
   read_header();
 }
 
 void PlyFile::read_header() {
   if (!lines_.next() || !lines_.is("ply")) lines_.fail("'ply'", lines_.raw());
-  if (!lines_.next() || !lines_.is("format")) lines_.fail("a line 'format ...'", lines_.raw());
-  read_format();
-  std::set<std::string> names;
-  const auto check_last = [&] {
-    if (elements_.empty()) return;
-    if (elements_.back().properties.empty()) lines_.fail("a property first", lines_.raw());
-    if (!names.insert(elements_.back().name).second) {
-      lines_.fail("elements of different names", elements_.back().name);
-    }
-  };
+  if (lines_.words().size() > 1)
+    lines_.fail("'ply' alone in a line that ends with LF", lines_.raw());
   while (lines_.next()) {
-    if (lines_.is("comment") || lines_.is("obj_info")) continue;
-    if (lines_.is("property") && !elements_.empty()) {
-      read_property();
-    } else if (lines_.is("element")) {
-      check_last();
-      read_element();
-    } else if (lines_.is("end_header")) {
-      return check_last();
-    } else {
-      lines_.fail("element, property, comment or end_header", lines_.raw());
+    if (lines_.is("end_header")) {
+      if (!has_format_) lines_.fail("a line 'format ...'", lines_.raw());
+      return close_element();
     }
+    header_line();
   }
   lines_.fail("end_header", "");
+}
+
+void PlyFile::header_line() {
+  if (lines_.is("comment") || lines_.is("obj_info")) return;
+  const bool is_element = lines_.is("element");
+  if (!has_format_ && (is_element || lines_.is("property"))) {
+    lines_.fail("a line 'format ...'", lines_.raw());
+  }
+  if (lines_.is("format")) {
+    if (has_format_) lines_.fail("one line 'format ...'", lines_.raw());
+    read_format();
+    has_format_ = true;
+  } else if (is_element) {
+    close_element();
+    read_element();
+  } else if (lines_.is("property")) {
+    if (elements_.empty()) lines_.fail("an element before its properties", lines_.raw());
+    read_property();
+  } else if (unknown_lines_++ == 0) {
+    first_unknown_line_ = lines_.raw();
+  }
+}
+
+// The last element is complete.
+void PlyFile::close_element() {
+  if (elements_.empty()) return;
+  const PlyElement& last = elements_.back();
+  if (last.properties.empty()) lines_.fail("a property first", lines_.raw());
+  if (!names_.insert(last.name).second) lines_.fail("elements of different names", last.name);
 }
 
 void PlyFile::read_format() {
@@ -146,17 +162,13 @@ void PlyFile::end() const {
 
 bool PlyFile::has_more() {
   if (encoding_ == Encoding::kAscii) return lines_.next();
-  return lines_.stream().peek() != std::istream::traits_type::eof();
+  return lines_.bytes().size() > 0 || lines_.bytes().read_more();
 }
 
 void PlyFile::fail(const std::string& expected, const std::string& got) const {
   if (encoding_ == Encoding::kAscii) lines_.fail(expected, got);
   throw InputError(file_, fmt::format("{} {}: expected {}, got {}", quoted(element_->name), number_,
                                       expected, quoted(got)));
-}
-
-double PlyFile::number(PlyType type) {
-  return encoding_ == Encoding::kAscii ? word(type) : bytes(type);
 }
 
 uint64_t PlyFile::list_size(PlyType type) {
@@ -169,11 +181,15 @@ double PlyFile::word(PlyType type) {
   if (next_word_ == lines_.words().size()) {
     lines_.fail(fmt::format("more words of a {}", element_->name), lines_.raw());
   }
-  const char* text = lines_.words()[next_word_++];
-  char* end = nullptr;
-  const double value = type == PlyType::kF32 ? static_cast<double>(std::strtof(text, &end))
-                                             : std::strtod(text, &end);
-  if (end == text || *end != '\0') lines_.fail("a number", text);
+  const char* text = lines_.words()[next_word_];
+  const char* text_end = lines_.end_of_word(next_word_++);
+  double value = 0;
+  float single = 0;
+  const bool is_single = type == PlyType::kF32;
+  if (!(is_single ? parse_number(text, text_end, &single) : parse_number(text, text_end, &value))) {
+    lines_.fail("a number", text);
+  }
+  if (is_single) return single;
   if (is_float(type)) return value;
   if (!(value >= row(type).low && value <= row(type).high) || value != std::floor(value)) {
     lines_.fail(fmt::format("a number of type {}", row(type).short_name), text);
@@ -182,13 +198,18 @@ double PlyFile::word(PlyType type) {
 }
 
 double PlyFile::bytes(PlyType type) {
-  char value[8];
   const size_t size = row(type).bytes;
-  if (!lines_.stream().read(value, static_cast<std::streamsize>(size))) {
+  const char* value = lines_.bytes().take_all(size);
+  if (value == nullptr) {
+    if (lines_.bytes().is_bad()) throw InputError(file_, "expected more bytes, got a read error");
     fail(fmt::format("more bytes, {} of {} elements read", number_, element_->count), "");
   }
   // The model runs on little-endian machines, as its vectors and .ptrb files say.
-  if (encoding_ == Encoding::kBigEndian) std::reverse(value, value + size);
+  char turned[8];
+  if (encoding_ == Encoding::kBigEndian) {
+    std::reverse_copy(value, value + size, turned);
+    value = turned;
+  }
   switch (type) {
     case PlyType::kI8:
       return as<int8_t>(value);

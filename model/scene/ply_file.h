@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,8 @@ struct PlyElement {
 
 /// In       "ply", "format ascii|binary_little_endian|binary_big_endian 1.0", elements and their
 ///          properties under the short (uchar) or long (uint8) names of types, "end_header"; then
-///          the elements in order, in ASCII one a line.
+///          the elements in order, in ASCII one a line. Comments and unknown lines may stand
+///          anywhere behind the first line.
 /// Errors   InputError with the line; in a binary body with the element instead, "face 7" (from 0).
 /// Source   G. Turk, "The PLY Polygon File Format", 1994.
 class PlyFile {
@@ -34,10 +36,13 @@ class PlyFile {
   explicit PlyFile(const std::string& file);
 
   const std::vector<PlyElement>& elements() const { return elements_; }
+  /// Of the header.
+  uint64_t unknown_lines() const { return unknown_lines_; }
+  const std::string& first_unknown_line() const { return first_unknown_line_; }
 
   /// Each element's values are read in the order of its properties between begin() and end().
   void begin(const PlyElement& element, uint64_t i);
-  double number(PlyType type);
+  double number(PlyType type) { return encoding_ == Encoding::kAscii ? word(type) : bytes(type); }
   uint64_t list_size(PlyType type);
   void end() const;
   /// Is something left? To be asked behind the last element.
@@ -49,6 +54,8 @@ class PlyFile {
   enum class Encoding { kAscii, kLittleEndian, kBigEndian };
 
   void read_header();
+  void header_line();
+  void close_element();
   void read_format();
   void read_element();
   void read_property();
@@ -59,7 +66,11 @@ class PlyFile {
   std::string file_;
   LineReader lines_;
   Encoding encoding_ = Encoding::kAscii;
+  bool has_format_ = false;
   std::vector<PlyElement> elements_;
+  std::set<std::string> names_;  // of the elements that are complete
+  uint64_t unknown_lines_ = 0;
+  std::string first_unknown_line_;
   const PlyElement* element_ = nullptr;  // being read, and its number
   uint64_t number_ = 0;
   size_t next_word_ = 0;

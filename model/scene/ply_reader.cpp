@@ -4,49 +4,41 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "model/scene/error.h"
 #include "model/scene/normals.h"
+#include "model/scene/ply_colors.h"
 #include "model/scene/ply_file.h"
 #include "model/scene/topology.h"
+#include "model/scene/triangulate.h"
 
 namespace pineda::scene {
 namespace {
 
-// What a vertex may have, in the order in which it is kept.
-constexpr const char* kSlots[] = {"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "alpha"};
-constexpr size_t kNormal = 3, kColor = 6, kAlpha = 9, kSlotCount = 10;
+// What a vertex may have beside its colour, in the order in which it is kept.
+constexpr const char* kSlots[] = {"x", "y", "z", "nx", "ny", "nz"};
+constexpr size_t kNormal = 3, kSlotCount = 6;
 constexpr double kRestart = -1;  // in the list of tristrips
 
-bool is_scalar(const PlyElement& element, const std::string& name) {
-  const auto& all = element.properties;
-  return std::any_of(all.begin(), all.end(),
-                     [&](const auto& p) { return p.name == name && !p.count; });
-}
-
-bool has_slots(const PlyElement& vertex, size_t first, size_t end) {
-  return std::all_of(kSlots + first, kSlots + end,
-                     [&](const char* name) { return is_scalar(vertex, name); });
+ptrdiff_t count_slots(const PlyElement& vertex, size_t first, size_t end) {
+  return std::count_if(kSlots + first, kSlots + end, [&](const char* name) {
+    const auto& all = vertex.properties;
+    return std::any_of(all.begin(), all.end(),
+                       [&](const auto& p) { return p.name == name && !p.count; });
+  });
 }
 
 bool is_corners(const PlyProperty& property) {
   return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-// 1 as a colour of this type; 0 where the format says none.
-double full_scale(PlyType type) {
-  switch (type) {
-    case PlyType::kU8:
-      return 255;
-    case PlyType::kU16:
-      return 65535;
-    case PlyType::kF32:
-    case PlyType::kF64:
-      return 1;
-    default:
-      return 0;
-  }
-}
+// Polygons, and triangles of strips, as the file states them.
+struct Faces {
+  std::vector<uint32_t> corner;
+  std::vector<uint32_t> corners;  // of each
+  std::vector<Rgba> color;        // of each, or empty
+};
 
 class Reader {
  public:
@@ -64,9 +56,11 @@ class Reader {
         skip(element);
       }
     }
-    if (mesh_.triangle.empty()) throw InputError(name_, "expected faces, got none");
+    if (faces_.corners.empty()) throw InputError(name_, "expected faces, got none");
     if (file_.has_more()) warn("left out what follows the last element");
-    if (mesh_.normal.empty()) mesh_.normal = mean_normals(mesh_.position, mesh_.triangle);
+    if (!faces_.color.empty()) separate_faces();
+    cut_faces();
+    set_normals();
     return std::move(mesh_);
   }
 
@@ -83,7 +77,7 @@ class Reader {
   // The header decides what can be read, so nothing needs to be read first.
   void check() {
     const PlyElement* vertex = find("vertex");
-    if (vertex == nullptr || !has_slots(*vertex, 0, kNormal)) {
+    if (vertex == nullptr || count_slots(*vertex, 0, kNormal) != 3) {
       throw InputError(name_, "expected an element vertex with x, y and z");
     }
     if (vertex->count >= std::numeric_limits<uint32_t>::max()) {
@@ -91,7 +85,7 @@ class Reader {
                        fmt::format("expected less than 2^32 - 1 vertices, got {}", vertex->count));
     }
     vertices_ = vertex->count;
-    bool has_faces = false;
+    std::vector<const PlyElement*> faces;
     for (const char* name : {"face", "tristrips"}) {
       const PlyElement* element = find(name);
       if (element == nullptr) continue;
@@ -99,25 +93,39 @@ class Reader {
       if (std::count_if(all.begin(), all.end(), is_corners) != 1) {
         throw InputError(name_, fmt::format("expected one list vertex_indices in {}", name));
       }
-      has_faces = true;
+      if (element->count > 0) faces.push_back(element);
+      has_faces_ = true;
     }
-    if (!has_faces) throw InputError(name_, "expected an element face or tristrips");
-    check_colors(*vertex);
-    has_normals_ = has_slots(*vertex, kNormal, kColor);
+    if (!has_faces_) throw InputError(name_, "expected an element face or tristrips");
+    if (file_.unknown_lines() > 0) {
+      warn(fmt::format("left out {} lines of the header of unknown meaning, first {}",
+                       file_.unknown_lines(), quoted(file_.first_unknown_line())));
+    }
+    const auto normals = count_slots(*vertex, kNormal, kSlotCount);
+    has_normals_ = normals == 3;
+    if (normals % 3 != 0) warn("normals not used: not all of nx, ny and nz are there");
+    check_colors(*vertex, faces);
   }
 
-  void check_colors(const PlyElement& vertex) {
-    has_colors_ = has_slots(vertex, kColor, kAlpha);
-    for (const auto& property : vertex.properties) {
-      const bool is_color =
-          std::find(kSlots + kColor, kSlots + kSlotCount, property.name) != kSlots + kSlotCount;
-      if (!is_color || (has_colors_ && !property.count && full_scale(property.type) > 0)) continue;
-      has_colors_ = false;
-      return warn("colours not used: expected red, green and blue as uchar, ushort or float");
+  void check_colors(const PlyElement& vertex, const std::vector<const PlyElement*>& faces) {
+    const auto colors = [&](const PlyElement& element) {
+      PlyColors found(element);
+      if (!found.note().empty()) warn(found.note());
+      return found;
+    };
+    has_colors_ = colors(vertex).are_there();
+    ptrdiff_t colored = 0;
+    for (const PlyElement* element : faces) colored += colors(*element).are_there() ? 1 : 0;
+    if (colored > 0 && has_colors_) warn("colours of faces not used: the vertices have colours");
+    if (colored > 0 && !has_colors_ && colored < static_cast<ptrdiff_t>(faces.size())) {
+      warn("colours of faces not used: faces or tristrips have none");
     }
+    has_face_colors_ =
+        colored > 0 && !has_colors_ && colored == static_cast<ptrdiff_t>(faces.size());
   }
 
   void read_vertices(const PlyElement& element) {
+    const PlyColors colors(element);
     std::vector<size_t> slot;
     for (const auto& property : element.properties) {
       const auto* found = std::find(kSlots, kSlots + kSlotCount, property.name);
@@ -126,49 +134,41 @@ class Reader {
     for (uint64_t i = 0; i < element.count; ++i) {
       file_.begin(element, i);
       std::array<double, kSlotCount> value{};
-      value[kAlpha] = 1;
+      Rgba color{0, 0, 0, 255};
       for (size_t k = 0; k < slot.size(); ++k) {
         const PlyProperty& property = element.properties[k];
-        if (property.count || slot[k] == kSlotCount) {
+        if (colors.channel(k) >= 0) {
+          colors.set(k, file_.number(property.type), file_, &color);
+        } else if (property.count || slot[k] == kSlotCount) {
           skip(property);
         } else {
           value[slot[k]] = file_.number(property.type);
-          if (slot[k] >= kColor && has_colors_) value[slot[k]] /= full_scale(property.type);
         }
       }
       file_.end();
-      add_vertex(value);
+      mesh_.position.push_back({value[0], value[1], value[2]});
+      if (has_normals_) mesh_.normal.push_back({value[3], value[4], value[5]});
+      if (has_colors_) mesh_.color.push_back(color);
     }
-  }
-
-  void add_vertex(const std::array<double, kSlotCount>& value) {
-    mesh_.position.push_back({value[0], value[1], value[2]});
-    if (has_normals_) {
-      const Vec3 n = {value[kNormal], value[kNormal + 1], value[kNormal + 2]};
-      if (!is_finite(n)) file_.fail("a finite normal", fmt::format("{} {} {}", n[0], n[1], n[2]));
-      mesh_.normal.push_back(normalized(n));
-    }
-    if (!has_colors_) return;
-    Rgba rgba;
-    for (size_t k = 0; k < 4; ++k) {
-      const double c = value[kColor + k];
-      if (!(c >= 0 && c <= 1)) file_.fail("a colour from 0 to 1", fmt::format("{}", c));
-      rgba[k] = static_cast<uint8_t>(std::lround(c * 255));
-    }
-    mesh_.color.push_back(rgba);
   }
 
   void read_faces(const PlyElement& element, Topology topology) {
+    const PlyColors colors(element);
     for (uint64_t i = 0; i < element.count; ++i) {
       file_.begin(element, i);
-      for (const auto& property : element.properties) {
+      Rgba color{0, 0, 0, 255};
+      for (size_t k = 0; k < element.properties.size(); ++k) {
+        const PlyProperty& property = element.properties[k];
         if (is_corners(property)) {
           read_corners(property, topology);
+        } else if (has_face_colors_ && colors.channel(k) >= 0) {
+          colors.set(k, file_.number(property.type), file_, &color);
         } else {
           skip(property);
         }
       }
       file_.end();
+      if (has_face_colors_) faces_.color.resize(faces_.corners.size(), color);
     }
   }
 
@@ -178,7 +178,7 @@ class Reader {
     for (uint64_t k = 0; k < size; ++k) {
       const double corner = file_.number(property.type);
       if (corner == kRestart && topology == Topology::kStrip) {
-        add_triangles(topology);
+        add_face(topology);
         corners_.clear();
         continue;
       }
@@ -189,16 +189,95 @@ class Reader {
       corners_.push_back(static_cast<uint32_t>(corner));
     }
     // A strip may end with its -1.
-    if (!corners_.empty() || topology == Topology::kFan) add_triangles(topology);
+    if (!corners_.empty() || topology == Topology::kFan) add_face(topology);
   }
 
-  void add_triangles(Topology topology) {
+  void add_face(Topology topology) {
     if (corners_.size() < 3) {
       file_.fail("three or more corners", fmt::format("{}", corners_.size()));
     }
+    if (topology == Topology::kFan) {
+      faces_.corner.insert(faces_.corner.end(), corners_.begin(), corners_.end());
+      faces_.corners.push_back(static_cast<uint32_t>(corners_.size()));
+      return;
+    }
     for (size_t i = 0; i < triangle_count(topology, corners_.size()); ++i) {
-      const auto at = triangle_corners(topology, i);
-      mesh_.triangle.push_back({corners_[at[0]], corners_[at[1]], corners_[at[2]]});
+      for (const size_t at : triangle_corners(topology, i)) faces_.corner.push_back(corners_[at]);
+      faces_.corners.push_back(3);
+    }
+  }
+
+  // Each face gets vertices of its own, of its colour.
+  void separate_faces() {
+    if (faces_.corner.size() >= std::numeric_limits<uint32_t>::max()) {
+      throw InputError(name_, "expected less than 2^32 - 1 corners of faces that have colours");
+    }
+    origin_ = std::move(faces_.corner);
+    faces_.corner.resize(origin_.size());
+    std::iota(faces_.corner.begin(), faces_.corner.end(), 0U);
+    vertex_position_ = std::move(mesh_.position);
+    mesh_.position.clear();
+    for (const uint32_t vertex : origin_) mesh_.position.push_back(vertex_position_[vertex]);
+    for (size_t i = 0; i < faces_.corners.size(); ++i) {
+      mesh_.color.resize(mesh_.color.size() + faces_.corners[i], faces_.color[i]);
+    }
+  }
+
+  void cut_faces() {
+    mesh_.triangle.reserve(faces_.corner.size() - 2 * faces_.corners.size());
+    PolygonCutter cutter(&mesh_);
+    const uint32_t* corner = faces_.corner.data();
+    for (const uint32_t corners : faces_.corners) {
+      cutter.add(corner, corners);
+      corner += corners;
+    }
+    cutter.warn(name_, warnings_);
+  }
+
+  // Of the file's vertices, whose faces may have been separated.
+  void set_normals() {
+    auto triangle = mesh_.triangle;
+    if (!origin_.empty()) {
+      for (auto& t : triangle) {
+        for (uint32_t& vertex : t) vertex = origin_[vertex];
+      }
+    }
+    std::vector<Vec3> normal = std::move(mesh_.normal);
+    if (normal.empty()) {
+      normal = mean_normals(origin_.empty() ? mesh_.position : vertex_position_, triangle);
+    } else {
+      mend(triangle, &normal);
+    }
+    if (origin_.empty()) {
+      mesh_.normal = std::move(normal);
+      return;
+    }
+    mesh_.normal.clear();
+    for (const uint32_t vertex : origin_) mesh_.normal.push_back(normal[vertex]);
+  }
+
+  void mend(const std::vector<std::array<uint32_t, 3>>& triangle, std::vector<Vec3>* normal) {
+    std::vector<bool> is_bad(normal->size());
+    bool has_bad = false;
+    for (size_t i = 0; i < normal->size(); ++i) {
+      is_bad[i] = !is_finite((*normal)[i]);
+      has_bad = has_bad || is_bad[i];
+      (*normal)[i] = normalized((*normal)[i]);
+    }
+    if (!has_bad) return;
+    const auto mean = mean_normals(origin_.empty() ? mesh_.position : vertex_position_, triangle);
+    std::vector<bool> is_used(normal->size());
+    for (const auto& t : triangle) {
+      for (const uint32_t vertex : t) is_used[vertex] = true;
+    }
+    uint64_t mended = 0;
+    for (size_t i = 0; i < normal->size(); ++i) {
+      if (!is_bad[i]) continue;
+      (*normal)[i] = mean[i];
+      mended += is_used[i] ? 1 : 0;
+    }
+    if (mended > 0) {
+      warn(fmt::format("{} normals are not finite: theirs is the mean of the faces", mended));
     }
   }
 
@@ -222,10 +301,16 @@ class Reader {
   PlyFile file_;
   std::vector<std::string>* warnings_;
   uint64_t vertices_ = 0;
+  bool has_faces_ = false;
   bool has_normals_ = false;
   bool has_colors_ = false;
-  std::vector<uint32_t> corners_;
+  bool has_face_colors_ = false;
+  std::vector<uint32_t> corners_;  // of the face that is being read
+  Faces faces_;
   Mesh mesh_;
+  // Of separated faces: the file's vertex of each of the mesh's, and the file's positions.
+  std::vector<uint32_t> origin_;
+  std::vector<Vec3> vertex_position_;
 };
 
 }  // namespace

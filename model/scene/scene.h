@@ -19,7 +19,7 @@ struct Size {
   int height = 480;
 };
 
-/// px; nothing is negative. It may reach beyond the frame.
+/// px; width and height are not negative. It may reach beyond the frame on every side.
 struct Scissor {
   int x = 0;
   int y = 0;

@@ -43,14 +43,14 @@ std::string alternatives(const std::vector<std::string>& words) {
 }
 
 void set_scissor(int x_px, int y_px, int width_px, int height_px, spec::FrameState* frame) {
-  // A sum of two ints; beyond kNoScissorPx there is no frame.
-  const auto end = [](int64_t first, int size) {
-    return static_cast<int>(std::min<int64_t>(first + size, spec::kNoScissorPx));
+  // Left of 0 and beyond kNoScissorPx there is no frame.
+  const auto inside = [](int64_t px) {
+    return static_cast<int>(std::clamp<int64_t>(px, 0, spec::kNoScissorPx));
   };
-  frame->scissor_x0 = std::min(x_px, spec::kNoScissorPx);
-  frame->scissor_y0 = std::min(y_px, spec::kNoScissorPx);
-  frame->scissor_x1 = end(x_px, width_px);
-  frame->scissor_y1 = end(y_px, height_px);
+  frame->scissor_x0 = inside(x_px);
+  frame->scissor_y0 = inside(y_px);
+  frame->scissor_x1 = inside(int64_t{x_px} + width_px);
+  frame->scissor_y1 = inside(int64_t{y_px} + height_px);
 }
 
 std::optional<int64_t> parse_bias_constant(const char* word, int depth_bits) {

@@ -40,7 +40,8 @@ std::optional<T> named(std::string_view word) {
 /// "none, back or front".
 std::string alternatives(const std::vector<std::string>& words);
 
-/// Samples of a rectangle alone; it may reach beyond the frame. No number is negative.
+/// Samples of a rectangle alone; it may reach beyond the frame on every side. Width and height are
+/// not negative.
 void set_scissor(int x_px, int y_px, int width_px, int height_px, spec::FrameState* frame);
 
 /// A whole number of depth codes, less than 2^depth_bits in magnitude.

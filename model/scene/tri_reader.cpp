@@ -12,7 +12,7 @@
 namespace pineda::scene {
 namespace {
 
-constexpr const char* kFirstLine = "pineda-tri 1";
+constexpr std::string_view kFirstLine = "pineda-tri 1";
 
 }  // namespace
 
@@ -55,9 +55,15 @@ void TriReader::rewind() {
   read_state();
 }
 
+// Without anything before it; blanks and a comment may follow.
+bool TriReader::is_first_line() const {
+  return lines_.raw().substr(0, kFirstLine.size()) == kFirstLine && lines_.words().size() == 2 &&
+         std::string_view(lines_.words()[1]) == "1";
+}
+
 void TriReader::read_state() {
   frame_ = {};
-  if (!lines_.next_raw() || lines_.raw() != kFirstLine) {
+  if (!lines_.next() || !is_first_line()) {
     lines_.fail(fmt::format("the first line '{}'", kFirstLine), lines_.raw());
   }
   while ((at_vertex_ = lines_.next()) && !lines_.is("v")) state_line();
@@ -85,9 +91,10 @@ void TriReader::read_size() {
 }
 
 void TriReader::read_scissor() {
+  constexpr int kLeast = std::numeric_limits<int>::min();
   constexpr int kGreatest = std::numeric_limits<int>::max();
-  const int x = lines_.integer(1, 0, kGreatest, "a column");
-  const int y = lines_.integer(2, 0, kGreatest, "a row");
+  const int x = lines_.integer(1, kLeast, kGreatest, "a column");
+  const int y = lines_.integer(2, kLeast, kGreatest, "a row");
   const int width = lines_.integer(3, 0, kGreatest, "a width");
   const int height = lines_.integer(4, 0, kGreatest, "a height");
   set_scissor(x, y, width, height, &frame_);

@@ -10,7 +10,8 @@ namespace pineda::scene {
 
 /// Reads triangle by triangle, so that memory does not grow with the file.
 ///
-/// In       the format "pineda-tri 1". CR LF line ends are taken like LF.
+/// In       the format "pineda-tri 1". A line ends with LF; a CR is a blank. '#' begins a comment,
+///          also behind values and before the first line.
 /// Errors   InputError with the line: in the constructor for the state lines, in read() for the
 ///          vertices.
 class TriReader final : public ScreenReader {
@@ -29,6 +30,7 @@ class TriReader final : public ScreenReader {
   static const std::array<StateLine, 7> kStateLines;
   static size_t find_state_line(const char* key);
 
+  bool is_first_line() const;
   void read_state();
   void state_line();
   void read_size();

@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadUsage{"ScissorWithTri", {"time", "scene.tri", "--scissor", "0,0,8,8"}, "scene.tri"},
         BadUsage{"ScissorOfThree", {"render", "teapot", "--scissor", "0,0,8"}, "--scissor"},
         BadUsage{"ScissorOfFive", {"render", "teapot", "--scissor", "0,0,8,8,8"}, "X,Y,W,H"},
-        BadUsage{"ScissorNegative", {"render", "grid", "--scissor=-1,0,8,8"}, "X,Y,W,H"},
+        BadUsage{"ScissorNegative", {"render", "grid", "--scissor=-1,0,-8,8"}, "X,Y,W,H"},
         BadUsage{"ScissorNoInteger", {"render", "grid", "--scissor", "0,0,8.5,8"}, "X,Y,W,H"},
         BadUsage{"DepthWriteWithPtrb", {"rtl", "scene.ptrb", "--depth-write", "on"}, "scene.ptrb"},
         BadUsage{"UnknownDepthWrite", {"render", "grid", "--depth-write", "no"}, "--depth-write"},

@@ -142,6 +142,114 @@ TEST(PlyReader, NanAndInfiniteVerticesDropTheirTrianglesOnly) {
   EXPECT_EQ(scene.source->counters().nan_dropped, 2u);
 }
 
+TEST(PlyReader, CommentsAndUnknownLinesOfTheHeaderMayStandAnywhere) {
+  const Mesh expected = read_text(kHead + kCorners + "4 0 1 2 3\n");
+  Lines warnings;
+  const Mesh commented =
+      read_text("ply\ncomment made by hand\nobj_info a b\nformat ascii 1.0\n" + kVertex +
+                    "comment\n" + kFace + "end_header\n" + kCorners + "4 0 1 2 3\n",
+                &warnings);
+  EXPECT_TRUE(warnings.empty());
+  EXPECT_EQ(commented.position, expected.position);
+  EXPECT_EQ(commented.triangle, expected.triangle);
+  const Mesh foreign = read_text("ply\nmade by hand\nformat ascii 1.0\n" + kVertex + "texture a\n" +
+                                     kFace + "end_header\n" + kCorners + "4 0 1 2 3\n",
+                                 &warnings);
+  EXPECT_EQ(foreign.triangle, expected.triangle);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(is_one_line_with(
+      warnings[0], "left out 2 lines of the header of unknown meaning, first 'made by hand'"));
+}
+
+TEST(PlyReader, AByteOrderMarkAndCarriageReturnsChangeNothing) {
+  const std::string text = kHead + kCorners + "4 0 1 2 3\n";
+  const Mesh expected = read_text(text);
+  std::string dos;
+  for (const char c : text) dos += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  std::string strays = "\xef\xbb\xbf" + kHead;
+  for (const char c : kCorners) strays += c == ' ' ? '\r' : c;
+  for (const auto& other : {"\xef\xbb\xbf" + text, dos, strays + "\r4 0\r1 2\r\r3\r\r\n"}) {
+    Lines warnings;
+    const Mesh mesh = read_text(other, &warnings);
+    EXPECT_EQ(mesh.position, expected.position);
+    EXPECT_EQ(mesh.triangle, expected.triangle);
+    EXPECT_TRUE(warnings.empty());
+  }
+}
+
+TEST(PlyReader, NormalsThatAreNotFiniteAreTheMeanAndCounted) {
+  const std::string head = kAscii + kVertex +
+                           "property float nx\nproperty float ny\nproperty float nz\n" + kFace +
+                           "end_header\n0 0 0 1 0 0\n1 0 0 nan 0 0\n1 1 0 0 inf 0\n0 1 0 ";
+  Lines warnings;
+  const Mesh mesh = read_text(head + "nan nan nan\n3 0 1 2\n", &warnings);
+  EXPECT_EQ(mesh.normal[0], (Vec3{1, 0, 0}));
+  EXPECT_EQ(mesh.normal[1], (Vec3{0, 0, 1}));
+  EXPECT_EQ(mesh.normal[2], (Vec3{0, 0, 1}));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(is_one_line_with(warnings[0], "2 normals are not finite"));
+  // No face names the fourth vertex.
+  warnings.clear();
+  const std::string only_unused =
+      kAscii + kVertex + "property float nx\nproperty float ny\nproperty float nz\n" + kFace +
+      "end_header\n0 0 0 1 0 0\n1 0 0 1 0 0\n1 1 0 1 0 0\n" + "0 1 0 nan 0 0\n3 0 1 2\n";
+  EXPECT_EQ(read_text(only_unused, &warnings).normal[2], (Vec3{1, 0, 0}));
+  EXPECT_TRUE(warnings.empty());
+  read_text(kAscii + kVertex + "property float nx\n" + kFace + "end_header\n0 0 0 1\n1 0 0 1\n" +
+                "1 1 0 1\n0 1 0 1\n3 0 1 2\n",
+            &warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(is_one_line_with(warnings[0], "normals not used: not all of nx, ny and nz"));
+}
+
+TEST(PlyReader, ConcavePolygonsAreCutInsideAndTheirFirstVertexProvokes) {
+  // An arrow whose fan from the first corner lies outside.
+  Lines warnings;
+  const Mesh mesh =
+      read_text(kHead + "-1.2 -1.3 0\n0 -.4 0\n1.2 -1.3 0\n0 1.5 0\n4 0 1 2 3\n", &warnings);
+  EXPECT_TRUE(warnings.empty());
+  ASSERT_EQ(mesh.triangle.size(), 2u);
+  for (const auto& t : mesh.triangle) {
+    const Vec3 &a = mesh.position[t[0]], &b = mesh.position[t[1]], &c = mesh.position[t[2]];
+    EXPECT_GT(cross(b - a, c - a)[2], 0);
+  }
+  EXPECT_EQ(mesh.provoking, (std::vector<uint32_t>{0, 0}));
+  ASSERT_EQ(mesh.polygon.size(), 1u);
+  EXPECT_EQ(mesh.corner, (std::vector<uint32_t>{0, 1, 2, 3}));
+}
+
+TEST(PlyReader, ATriangleOfAStripIsProvokedByItsOwnFirstCorner) {
+  const Mesh mesh =
+      read_text(kAscii + kVertex + kFace +
+                "element tristrips 1\nproperty list uchar int vertex_indices\nend_header\n" +
+                "-1.2 -1.3 0\n0 -.4 0\n1.2 -1.3 0\n0 1.5 0\n4 0 1 2 3\n4 0 1 2 3\n");
+  ASSERT_EQ(mesh.triangle.size(), 4u);
+  EXPECT_EQ(mesh.provoking, (std::vector<uint32_t>{0, 0, 0, 1}));
+}
+
+TEST(PlyReader, BinaryValuesAcrossBlocksAreRead) {
+  // 13 bytes a vertex: values lie across every border of the reader's blocks in turn.
+  constexpr uint32_t kVertices = 40000;
+  for (const bool big : {false, true}) {
+    std::string text = std::string("ply\nformat ") +
+                       (big ? "binary_big_endian" : "binary_little_endian") + " 1.0\n" +
+                       "element vertex " + std::to_string(kVertices) +
+                       "\nproperty uchar a\nproperty float x\nproperty float y\n" +
+                       "property float z\n" + kFace + "end_header\n";
+    for (uint32_t i = 0; i < kVertices; ++i) {
+      text += raw(uint8_t{1}, big);
+      for (uint32_t k = 0; k < 3; ++k) text += raw(static_cast<float>(3 * i + k), big);
+    }
+    text += raw(uint8_t{3}, big) + raw(7, big) + raw(8, big) + raw(39999, big);
+    const Mesh mesh = read_text(text);
+    ASSERT_EQ(mesh.position.size(), kVertices);
+    for (uint32_t i = 0; i < kVertices; ++i) {
+      ASSERT_EQ(mesh.position[i], (Vec3{3. * i, 3. * i + 1, 3. * i + 2}));
+    }
+    EXPECT_EQ(mesh.triangle, (Triangles{{7, 8, 39999}}));
+  }
+}
+
 struct Refusal {
   const char* name;
   std::string bytes;
@@ -176,8 +284,15 @@ const std::vector<Refusal> kRefusals = {
     {"UnknownEncoding", "ply\nformat text 1.0\n", ":2: expected ascii, binary_little_endian or"},
     {"OtherVersion", "ply\nformat ascii 2.0\n", ":2: expected version 1.0, got '2.0'"},
     {"HeaderEnds", kAscii + kVertex, ":6: expected end_header"},
-    {"UnknownKeyword", kAscii + "elements vertex 1\n", ":3: expected element, property, comment"},
-    {"PropertyFirst", kAscii + "property float x\n", ":3: expected element, property, comment"},
+    {"NoFormatAtAll", "ply\ncomment a\nend_header\n", ":3: expected a line 'format ...'"},
+    {"FormatTwice", kAscii + "format ascii 1.0\n", ":3: expected one line 'format ...'"},
+    {"OldMacLineEnds", "ply\rformat ascii 1.0\relement vertex 1\r",
+     ":1: expected 'ply' alone in a line that ends with LF, got 'ply?format"},
+    {"UnknownLinesOnly", kAscii + "elements vertex 1\n", ":3: expected end_header"},
+    {"MisspeltProperty", kAscii + kVertex + "propety float w\n" + kFace + "end_header\n0 0 0 1\n",
+     ":11: expected the 3 words of a vertex"},
+    {"PropertyFirst", kAscii + "property float x\n",
+     ":3: expected an element before its properties"},
     {"UnknownType", kAscii + "element vertex 1\nproperty half x\n", ":4: expected a type from"},
     {"ListOfFloatLength", kAscii + "element face 1\nproperty list float int vertex_index\n",
      ":4: expected an integer type, got 'float'"},
@@ -221,6 +336,10 @@ const std::vector<Refusal> kRefusals = {
          "property float red\nproperty float green\nproperty float blue\n" + kFace +
          "end_header\n0 0 0 0 0 1.5\n",
      ":13: expected a colour from 0 to 1, got '1.5'"},
+    {"BadColourOfAFace",
+     kAscii + kVertex + kFace + "property float r\nproperty float g\nproperty float b\n" +
+         "end_header\n" + kCorners + "3 0 1 2 0 nan 0\n",
+     ":17: expected a colour from 0 to 1, got 'nan'"},
     {"BinaryVertexCut", binary(std::string(11, 0)), ": 'vertex' 0: expected more bytes, 0 of 1"},
     {"BinaryIndex", binary(std::string(12, 0) + raw(3, false) + raw(1, false)),
      ": 'face' 0: expected an index of 1 vertices, got '1'"},

@@ -45,7 +45,10 @@ const std::vector<Refusal> kRefusals = {
     {"Empty", "", ":1: expected the first line 'pineda-tri 1'"},
     {"OtherVersion", "pineda-tri 2\nsize 8 8\n", ":1: expected the first line 'pineda-tri 1'"},
     {"FirstLineIndented", " pineda-tri 1\nsize 8 8\n", ":1: expected the first line"},
-    {"CommentFirst", "# a\npineda-tri 1\n", ":1: expected the first line"},
+    {"CommentFirst", "# a\n\npineda-tri 2\n", ":3: expected the first line"},
+    {"FirstLineOfThree", "pineda-tri 1 1\n", ":1: expected the first line"},
+    {"FirstLineOfTwelve", "pineda-tri 12\n", ":1: expected the first line"},
+    {"OldMacLineEnds", "pineda-tri 1\rsize 8 8\r", ":1: expected the first line"},
     {"SizeMissingAtVertex", scene(""), ":2: expected a line 'size WIDTH HEIGHT'"},
     {"SizeMissingAtEnd", "pineda-tri 1\ncull none\n", ":2: expected a line 'size WIDTH HEIGHT'"},
     {"SizeZero", scene("size 0 8\n"), ":2: expected a width from 1 to 16384, got '0'"},
@@ -75,9 +78,9 @@ const std::vector<Refusal> kRefusals = {
     {"ScissorTwice", state("scissor 0 0 4 4\nscissor 0 0 4 4"),
      ":4: expected each state line once"},
     {"ScissorOfThree", state("scissor 0 0 4"), ":3: expected 5 words 'scissor X Y WIDTH HEIGHT'"},
-    {"ScissorLeftOfTheFrame", state("scissor -1 0 4 4"), ":3: expected a column from 0 to"},
-    {"ScissorAboveTheFrame", state("scissor 0 -1 4 4"), ":3: expected a row from 0 to"},
-    {"ScissorOfNegativeWidth", state("scissor 0 0 -4 4"), ":3: expected a width from 0 to"},
+    {"ScissorBeyondAnInt", state("scissor -2147483649 0 4 4"),
+     ":3: expected a column from -2147483648 to 2147483647"},
+    {"ScissorOfNegativeWidth", state("scissor -9 0 -4 4"), ":3: expected a width from 0 to"},
     {"ScissorOfNegativeHeight", state("scissor 0 0 4 -4"), ":3: expected a height from 0 to"},
     {"ScissorNotAnInteger", state("scissor 0 0 4.5 4"),
      ":3: expected a width from 0 to 2147483647"},
@@ -104,7 +107,8 @@ const std::vector<Refusal> kRefusals = {
      ":4: expected state lines before the first v"},
     {"TooFewNumbers", with_vertex("v 1 1 0 1 0 0 0"), ":3: expected 9 words 'v X Y Z W R G B A'"},
     {"TooManyNumbers", with_vertex("v 1 1 0 1 0 0 0 0 0"), ":3: expected 9 words"},
-    {"InlineComment", with_vertex("v 1 1 0 1 0 0 0 0 # here"), ":3: expected 9 words"},
+    {"CommentInsteadOfValues", with_vertex("v 1 1 0 1 0 0 0 # 0"), ":3: expected 9 words"},
+    {"ContinuedLine", with_vertex("v 1 1 0 1 0 0 0 0 \\"), ":3: expected 9 words"},
     {"BadNumber", with_vertex("v 1 one 0 1 0 0 0 0"), ":3: expected a number, got 'one'"},
     {"NumberWithTail", with_vertex("v 1 1.5x 0 1 0 0 0 0"), ":3: expected a number, got '1.5x'"},
     {"NumberWithComma", with_vertex("v 1,5 1 0 1 0 0 0 0"), ":3: expected a number, got '1,5'"},
@@ -165,6 +169,40 @@ TEST(TriReader, CarriageReturnsAndAMissingLastLineEndChangeNothing) {
   for (const char c : text) dos += c == '\n' ? std::string("\r\n") : std::string(1, c);
   dos.resize(dos.size() - 2);
   EXPECT_TRUE(same(plain, all_triangles(open_text(scratch, dos).source.get())));
+}
+
+TEST(TriReader, CommentsByteOrderMarksAndStrayCarriageReturnsChangeNothing) {
+  const Scratch scratch;
+  const auto plain = all_triangles(open_text(scratch, scene("size 8 8\ncull back\n")).source.get());
+  for (const std::string& text :
+       {"\xef\xbb\xbf" + scene("size 8 8\ncull back\n"),
+        "# made by hand\n\n  # and by foot\n" + scene("size 8 8\ncull back\n"),
+        "\xef\xbb\xbf#\n" + scene("size 8 8\ncull back\n"),
+        scene("# x\rcull front\n\rsize\r8 8\r\r\ncull back\r\n"),
+        "pineda-tri 1 # the format\nsize 8 8# px\ncull back\t# none, back, front\n" + kTriangle +
+            "# v 1 1 0 1 0 0 0 0"}) {
+    auto opened = open_text(scratch, text);
+    EXPECT_EQ(opened.frame.cull, spec::Cull::kBack);
+    EXPECT_TRUE(same(plain, all_triangles(opened.source.get())));
+    opened.source->rewind();
+    EXPECT_TRUE(same(plain, all_triangles(opened.source.get())));
+  }
+}
+
+// As README.md states the defaults, with its indentation.
+TEST(TriReader, TheReadmesBlockOfStateIsRead) {
+  const Scratch scratch;
+  const auto opened = open_text(
+      scratch,
+      scene("    size 64 64\n"
+            "    cull none               # none, back, front; front = counter-clockwise on screen\n"
+            "    depth less              # less, lequal, equal, greater, notequal, gequal, always\n"
+            "    depthwrite on           # on, off: of the samples that pass\n"
+            "    depthbias 0 0           # CONSTANT + SLOPE*max(|dz/dx|, |dz/dy|), codes\n"
+            "    scissor 0 0 64 64       # X Y WIDTH HEIGHT, px; it may reach beyond the frame\n"
+            "    shade smooth            # smooth, flat: the first vertex gives the colour\n"));
+  EXPECT_EQ(unusual_state(opened.frame), "");
+  EXPECT_EQ(all_triangles(opened.source.get()).size(), 1u);
 }
 
 TEST(TriReader, TakesEveryFormThatStrtofReads) {
@@ -235,6 +273,10 @@ TEST(TriReader, AScissorBeyondTheFrameIsClipped) {
   EXPECT_EQ(clip("2147483647 5 2147483647 2147483647"), (Box{8, 5, 8, 8}));
   EXPECT_EQ(clip("7 8 9 1"), (Box{7, 8, 8, 8}));
   EXPECT_EQ(clip("3 3 0 5"), (Box{3, 3, 3, 8}));
+  EXPECT_EQ(clip("-3 -5 6 9"), (Box{0, 0, 3, 4}));
+  EXPECT_EQ(clip("-3 2 3 3"), (Box{0, 2, 0, 5}));  // all of it left of the frame
+  EXPECT_EQ(clip("-2147483648 -2147483648 2147483647 0"), (Box{0, 0, 0, 0}));
+  EXPECT_EQ(clip("-5 -5 2147483647 2147483647"), (Box{0, 0, 8, 8}));
 }
 
 TEST(TriReader, SlopeFactorsGoToTheNearestMultipleAndThatIsCounted) {
