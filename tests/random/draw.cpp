@@ -161,6 +161,9 @@ std::string state_lines(Random* r, const Canvas& c) {
     const int slope = one_in(r, 4) ? r->in(-32768, 32767) : r->in(-600, 600);
     text += fmt::format("depthbias {} {}\n", constant, slope / 256.);
   }
+  if (one_in(r, 3)) {
+    text += fmt::format("cleardepth {:.9g}\n", one_in(r, 2) ? 0 : r->between(0, 1));
+  }
   text += fmt::format("shade {}\n", one_in(r, 4) ? "flat" : "smooth");
   return text;
 }
