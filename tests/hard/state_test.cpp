@@ -12,6 +12,7 @@
 namespace pineda::hard {
 namespace {
 
+using spec::DepthFunc;
 using test::kContract;
 
 constexpr int64_t kFarCode = (1 << 24) - 1;

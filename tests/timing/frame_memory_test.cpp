@@ -325,6 +325,7 @@ TEST(RasterMemory, TargetThatWaitsIsWaitedFor) {
   platform.scene = random_scene(Kind::kMedium, 8, 30);
   platform.scene.frame.depth = spec::DepthFunc::kLess;
   platform.scene.frame.depth_write = true;
+  platform.scene.frame.clear_depth = 1;  // as that memory starts
   sc_core::sc_start();
   core::Renderer renderer(kContract, platform.scene.frame);
   for (const spec::Triangle& t : platform.scene.triangles) renderer.draw(t);
