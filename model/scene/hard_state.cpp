@@ -133,9 +133,9 @@ std::vector<HardCase> state_cases() {
       {"reversed_z_slopes", "level to steep triangles; depth greater, cleared to 0, biased nearer",
        "within the bound and the slope's; the one of the greatest depth is seen",
        cleared(reversed(biased(300, 448)), 0), slopes},
-      {"clear_middle", "overlapping triangles of few depths; depth less, cleared to .5",
-       "what is nearer than the middle is seen, the nearest in front; nothing else ever is",
-       cleared(few_depths_frame(DepthFunc::kLess, true), .5), few_depths_from_0},
+      {"clear_depth", "overlapping triangles of few depths; depth less, cleared to .75",
+       "what is nearer than .75 is seen, the nearest in front; nothing else ever is",
+       cleared(few_depths_frame(DepthFunc::kLess, true), .75), few_depths_from_0},
       {"flat_shading", "vertices of three colours, in any order, with and without perspective",
        "every sample has exactly the colour of its triangle's first vertex", flat(), flat_shading},
   };

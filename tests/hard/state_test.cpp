@@ -111,10 +111,10 @@ TEST(ReversedZ, SeesTheGreatestDepthTheFirstOrTheLastOfEqualOnes) {
   EXPECT_GT(std::count(depth.begin(), depth.end(), kFarCode), 100);
 }
 
-TEST(ClearDepth, SeesOnlyWhatIsNearerThanTheMiddle) {
-  expect_seen("clear_middle", [](int64_t z, int64_t stored) { return z < stored; });
-  const auto depth = drawn(snapped("clear_middle")).buffer().depth;
-  EXPECT_GT(std::count(depth.begin(), depth.end(), kFarCode / 2 + 1), 10);
+TEST(ClearDepth, SeesOnlyWhatIsNearer) {
+  expect_seen("clear_depth", [](int64_t z, int64_t stored) { return z < stored; });
+  const auto depth = drawn(snapped("clear_depth")).buffer().depth;
+  EXPECT_GT(std::count(depth.begin(), depth.end(), 12582911), 10);  // of .75
 }
 
 TEST(ClearDepth, EveryFunctionSeesWhatItPassesOnEveryClearedDepth) {
@@ -139,9 +139,7 @@ TEST(ClearDepth, EveryFunctionSeesWhatItPassesOnEveryClearedDepth) {
       frames.insert(wanted.z);
     }
   }
-  // Each of the four with less, lequal, greater, gequal, notequal, equal, always and untouched,
-  // where these differ.
-  EXPECT_GT(frames.size(), 16u);
+  EXPECT_GT(frames.size(), 12u);  // of 36: on a depth at an end many see the same
 }
 
 // In doubles from the floats, which here are exact enough: the codes of the default design.

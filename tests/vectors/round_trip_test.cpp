@@ -41,7 +41,7 @@ TYPED_TEST(RoundTrip, ClearedDepthIsALineWhereItIsNotTheGreatest) {
   EXPECT_NE(text.find("\nclear_depth 555555\n"), std::string::npos);
   const auto read = read_text<TypeParam>("memory", text);
   EXPECT_EQ(write_text(read), text);
-  EXPECT_EQ(spec::cleared_depth(kContract.design, read.cases[0].frame), 0x555556u);
+  EXPECT_EQ(spec::cleared_depth(kContract.design, read.cases[0].frame), 0x555555u);
   EXPECT_EQ(read.cases[1].frame.clear_depth, 1);
 }
 
