@@ -109,6 +109,9 @@ void add_scene_options(CLI::App* command, Options* o) {
                    "Added to depth: C codes and S times a triangle's greatest slope")
       ->type_name("C,S")
       ->group(meshes);
+  command->add_option("--clear-depth", o->clear_depth, "0 to 1, what depth is cleared to; 1 = far")
+      ->type_name("Z")
+      ->group(meshes);
   command->add_option("--shade", o->shade, "smooth, or flat: the first vertex's colour")
       ->check(CLI::IsMember(scene::words_of<spec::Shade>()))
       ->type_name("SHADE")
@@ -201,6 +204,13 @@ scene::Scene open(const Options& o, const spec::Contract& contract, bool multi_p
   if (!o.scissor.empty()) options.scissor = parse_scissor(o.scissor);
   if (!o.depth_bias.empty()) {
     options.depth_bias = parse_depth_bias(o.depth_bias, contract.design.depth_bits);
+  }
+  if (!o.clear_depth.empty()) {
+    options.clear_depth = scene::parse_clear_depth(o.clear_depth.c_str());
+    if (!options.clear_depth) {
+      throw UsageError(fmt::format("--clear-depth: expected {}, got '{}'",
+                                   scene::kExpectedClearDepth, o.clear_depth));
+    }
   }
   if (!o.eye.empty()) {
     scene::Camera camera;

@@ -40,6 +40,7 @@ struct Options {
   std::string scissor;  // X,Y,W,H
   std::string depth_write;
   std::string depth_bias;  // C,S
+  std::string clear_depth;
   std::string shade;
   std::vector<double> eye, look_at;
   std::optional<double> fov_deg;

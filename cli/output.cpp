@@ -107,6 +107,7 @@ Json unusual_state_json(const spec::FrameState& f) {
     json["depth_bias"] = {{"constant", f.bias_constant},
                           {"slope", f.bias_slope / double{1 << spec::kBiasFactorFractionBits}}};
   }
+  if (f.clear_depth != 1) json["clear_depth"] = f.clear_depth;
   if (f.shade != spec::Shade::kSmooth) json["shade"] = name_of(f.shade);
   return json;
 }

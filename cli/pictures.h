@@ -12,7 +12,7 @@ inline scene::Frame picture_of(const spec::Contract& contract, const core::Frame
   frame.height = buffer.height;
   frame.attributes = buffer.channels;
   frame.attribute_bits = contract.design.attribute_bits;
-  frame.clear_depth = core::cleared_depth(contract.design);
+  frame.clear_depth = buffer.clear_depth;
   frame.depth = buffer.depth;
   frame.color = buffer.color;
   frame.hits = buffer.hits;

@@ -1,10 +1,11 @@
 // Hierarchical z: the greatest depth stored in each tile of the frame, the top bits.
 //
 // Bits     timing::HierarchicalZ defines them: of every stamp of a tile the greatest depth after
-//          its last write, and of these the greatest. A stamp not written yet has the cleared depth, one
-//          outside the frame 0. Tiles beyond HIERARCHICAL_Z_TILES: the cleared depth.
-// In       clear_i: a frame begins; frame_*_i: stable from then on. update_i: a stamp whose depth
-//          write is accepted in this cycle.
+//          its last write, and of these the greatest. A stamp not written yet has the cleared
+//          depth, one outside the frame 0. Tiles beyond HIERARCHICAL_Z_TILES: all ones, which hides
+//          nothing.
+// In       clear_i: a frame begins; clear_depth_i and frame_*_i: stable from then on. update_i: a
+//          stamp whose depth write is accepted in this cycle.
 // Out      z_max_o: of the tile asked for, in the same cycle, with the updates of
 //          HIERARCHICAL_Z_DELAY_CYCLES ago and before.
 // Rate     a look-up and an update a cycle.
@@ -17,6 +18,7 @@ module hierarchical_z #(
   input  logic                                          clk_i,
   input  logic                                          rst_ni,
   input  logic                                          clear_i,
+  input  logic [pineda_pkg::HIERARCHICAL_Z_BITS-1:0]    clear_depth_i,
   input  logic [pineda_pkg::FRAME_SIZE_BITS-1:0]        frame_width_i,
   input  logic [pineda_pkg::FRAME_SIZE_BITS-1:0]        frame_height_i,
 
@@ -111,7 +113,7 @@ module hierarchical_z #(
       for (int unsigned i = 0; i < STAMPS; i++) begin
         if ({due.x[X_BITS +: TILE_BITS], X_BITS'(i % (1 << X_BITS))} <= last_x &&
             {due.y[Y_BITS +: TILE_BITS], Y_BITS'(i >> X_BITS)} <= last_y) begin
-          cleared[i*BITS +: BITS] = '1;
+          cleared[i*BITS +: BITS] = clear_depth_i;
         end
       end
     end
@@ -154,7 +156,7 @@ module hierarchical_z #(
   logic [WORD_BITS-1:0] asked;
   assign asked = depth_q[asked_address];
   always_comb begin
-    z_max_o = '1;
+    z_max_o = asked_kept ? clear_depth_i : '1;
     if (asked_kept && asked_written) begin
       z_max_o = '0;
       for (int unsigned i = 0; i < STAMPS; i++) begin

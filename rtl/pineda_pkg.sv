@@ -97,8 +97,9 @@ package pineda_pkg;
     logic        [14:0]          clip_y1; // u15 px
     logic signed [24:0]          bias_constant; // s25 code
     logic signed [15:0]          bias_slope; // sQ7.8 px
+    logic        [23:0]          clear_depth; // u24 code
   } frame_t;
-  localparam int unsigned FRAME_BITS = 139;
+  localparam int unsigned FRAME_BITS = 163;
 
   typedef struct packed {
     logic        [ID_BITS-1:0]   id; // number of the triangle

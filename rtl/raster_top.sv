@@ -3,8 +3,9 @@
 // Bits     core::Renderer defines every write.
 // In       frame_i opens a frame (raster state, sampled), then its triangles, then end_valid_i
 //          closes it: taken once every write is accepted. Triangles and the end never at once.
-// Out      clear_valid_o asks the memories to clear depth to all ones and colour to zero; nothing
-//          is read before it is taken. Then depth reads, depth writes, colour writes, in order.
+// Out      clear_valid_o asks the memories to clear depth to clear_depth_o and colour to zero;
+//          nothing is read before it is taken. Then depth reads, depth writes, colour writes, in
+//          order.
 // Rate     see the units. The frame's start costs 2 cycles, one to be taken and one to clear.
 // Drops    see setup_unit.
 // Errors   none. A reset in the middle of a frame leaves an idle, empty pipeline.
@@ -21,6 +22,9 @@ module raster_top (
   output logic                      end_ready_o,
   output logic                      clear_valid_o,
   input  logic                      clear_ready_i,
+`ifdef PINEDA_DEPTH
+  output logic [pineda_pkg::DEPTH_BITS-1:0] clear_depth_o,
+`endif
   output logic                      idle_o,
 
   // Snapped triangles
@@ -58,6 +62,9 @@ module raster_top (
 
   assign frame_ready_o = state_q == IDLE;
   assign clear_valid_o = state_q == CLEAR;
+`ifdef PINEDA_DEPTH
+  assign clear_depth_o = frame_q.clear_depth;
+`endif
   assign tri_ready_o = state_q == RUN && setup_ready;
   assign drained = setup_idle && !queued_prim_valid && traversal_idle && !queued_stamp_valid &&
                    interp_ztest_idle;
@@ -107,6 +114,8 @@ module raster_top (
   hierarchical_z u_hierarchical_z (
     .clk_i, .rst_ni,
     .clear_i(clear_valid_o),
+    .clear_depth_i(frame_q.clear_depth[
+        pineda_pkg::DEPTH_BITS-1:pineda_pkg::DEPTH_BITS-pineda_pkg::HIERARCHICAL_Z_BITS]),
     .frame_width_i(frame_q.width), .frame_height_i(frame_q.height),
     .tile_x_i(tile_x), .tile_y_i(tile_y), .z_max_o(z_max),
     .update_valid_i(depth_max_valid), .update_i(depth_max)

@@ -25,6 +25,15 @@ double difference(const Depth& a, const Depth& b) {
   return std::abs(codes) < kNone ? 0 : codes;
 }
 
+/// What depth is cleared to, in the judge's units of a vertex's z: a triangle that lies there is
+/// equal to it.
+Depth cleared_depth(const spec::FrameState& frame, int depth_bits) {
+  bool clamped = false;
+  const int64_t units =
+      exact::depth_input(static_cast<float>(frame.clear_depth), depth_bits, &clamped);
+  return {units >> 8, static_cast<double>(units & 255) / 256};
+}
+
 /// Gathers what a scene uses, and draws it with exact depths.
 class Gatherer {
  public:
@@ -37,7 +46,7 @@ class Gatherer {
         winners_(*winners) {
     const size_t pixels = static_cast<size_t>(frame.width) * static_cast<size_t>(frame.height);
     winners_.assign(pixels, 0);
-    depth_.assign(pixels, {top_code_, 0});
+    depth_.assign(pixels, cleared_depth(frame, exact_depth_bits(base.design, frame)));
     hits_.assign(pixels, 0);
     use_.guard_bits =
         std::max(4, spec::ceil_log2(static_cast<uint64_t>(std::max(frame.width, frame.height))));

@@ -2,6 +2,8 @@
 
 #include <initializer_list>
 
+#include "model/spec/clear_depth.h"
+
 namespace pineda::studies {
 
 exact::Format format_of(const spec::Design& d) {
@@ -44,7 +46,7 @@ int64_t Truth::find(int x, int y) const {
 }
 
 VisibleFrame::VisibleFrame(const spec::Design& design, const spec::FrameState& frame)
-    : frame_(frame), clear_code_(static_cast<uint32_t>((uint64_t{1} << design.depth_bits) - 1)) {
+    : frame_(frame), clear_code_(spec::depth_code(frame.clear_depth, design.depth_bits)) {
   using spec::DepthFunc;
   const DepthFunc func = design.depth_test ? frame.depth : DepthFunc::kOff;
   const auto is = [func](std::initializer_list<DepthFunc> list) {

@@ -36,6 +36,7 @@ struct PinedaBench {
     uint32_t words[(package::LANES * package::DEPTH_BITS + 31) / 32 + 1];
   };
   void start(const PinedaBenchFrame& frame);
+  void clear_depth();
   void read(Response* response);
   void write_depth();
   void write_color();
@@ -124,8 +125,9 @@ void PinedaBench::start(const PinedaBenchFrame& frame) {
   frame_ = frame;
   const auto samples = static_cast<size_t>(frame.width) * static_cast<size_t>(frame.height);
   std::fill_n(frame.color, samples * kChannels, uint16_t{0});
-  std::fill_n(frame.depth, samples,
-              static_cast<uint32_t>((uint64_t{1} << package::DEPTH_BITS) - 1));
+#ifndef PINEDA_DEPTH
+  std::fill_n(frame.depth, samples, uint32_t{0xffffff});
+#endif
   due_.assign(static_cast<size_t>(frame.depth_latency_cycles), Response{});
   set(&top_->frame_i, frame.state);
   top_->frame_valid_i = 1;
@@ -153,6 +155,7 @@ uint64_t PinedaBench::run(const PinedaBenchFrame& frame) {
 
     bool written = top_->clear_valid_o != 0;
 #ifdef PINEDA_DEPTH
+    if (written) clear_depth();
     // A read sees the writes accepted before its cycle. Its slot comes round in `latency` cycles.
     response.valid = top_->depth_rd_valid_o != 0;
     if (response.valid) read(&response);
@@ -184,6 +187,11 @@ uint64_t PinedaBench::run(const PinedaBenchFrame& frame) {
 }
 
 #ifdef PINEDA_DEPTH
+void PinedaBench::clear_depth() {
+  const auto samples = static_cast<size_t>(frame_.width) * static_cast<size_t>(frame_.height);
+  std::fill_n(frame_.depth, samples, static_cast<uint32_t>(top_->clear_depth_o));
+}
+
 void PinedaBench::read(Response* response) {
   for_each_lane(top_->depth_rd_o, 0, frame_.width, [&](int lane, uint64_t sample) {
     pineda::spec::set_bits(response->words, lane * package::DEPTH_BITS, package::DEPTH_BITS,

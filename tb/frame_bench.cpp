@@ -38,6 +38,7 @@ FrameBench::FrameBench(const RtlLibrary& library, const BenchOptions& options)
       stamps_(unit_, "stamp"),
       counters_(unit_),
       memory_(unit_, memory_of(options, unit_.contract())) {
+  if (unit_.contract().design.depth_test) clear_depth_ = unit_.port("clear_depth_o");
   reset();
 }
 
@@ -119,6 +120,7 @@ bool FrameBench::step(Progress* p, const NextTriangle& next, Listener* listener)
   const bool frame_taken = frames_.taken();
   const bool triangle_taken = triangles_.taken();
   const bool cleared = clear_valid_.bit() && clear_ready_.bit();
+  if (cleared && clear_depth_) memory_.clear_depth(clear_depth_->word());
   const bool ended = end_valid_.bit() && end_ready_.bit();
   const bool written = memory_.sample(cycle, listener);
   bool moved = frame_taken || triangle_taken || cleared || ended || written;

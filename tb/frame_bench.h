@@ -72,6 +72,7 @@ class FrameBench {
   SourceEnd<spec::FrameState> frames_;
   SourceEnd<spec::Triangle> triangles_;
   PortData end_valid_, end_ready_, clear_valid_, clear_ready_, idle_;
+  std::optional<PortData> clear_depth_;  // of a design with depth
   Tap<spec::SetupPrim> prims_;
   Tap<spec::Stamp> stamps_;
   Counters counters_;

@@ -34,6 +34,10 @@ void MemoryEnd::start(const spec::FrameState& frame, core::FrameBuffer buffer, u
   start_ = cycle;
 }
 
+void MemoryEnd::clear_depth(uint32_t code) {
+  std::fill(buffer_.depth.begin(), buffer_.depth.end(), code);
+}
+
 void MemoryEnd::forget() {
   answered_ = asked_;
   last_response_ = -1;  // cycles start again

@@ -70,6 +70,8 @@ class MemoryEnd {
 
   /// A frame whose cycle 0 is `cycle`.
   void start(const spec::FrameState& frame, core::FrameBuffer buffer, uint64_t cycle);
+  /// The depth of every sample, as the unit asks for it at the start of a frame.
+  void clear_depth(uint32_t code);
   /// Before settle: ready signals and a due response.
   void drive(const Stalls& stalls, uint64_t cycle);
   /// After settle: takes reads and writes. True when a write was accepted.

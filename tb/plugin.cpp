@@ -175,6 +175,9 @@ struct Top : Unit<Vraster_top> {
     PORT(end_ready_o)
     PORT(clear_valid_o)
     PORT(clear_ready_i)
+#ifdef PINEDA_DEPTH
+    PORT(clear_depth_o)
+#endif
     PORT(idle_o)
     PORT(tri_valid_i)
     PORT(tri_ready_o)

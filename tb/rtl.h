@@ -1,6 +1,7 @@
 // A design's plug-in, and one Verilated unit of it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <functional>
@@ -55,6 +56,12 @@ struct PortData {
   uint32_t bytes = 0;
 
   bool bit() const { return *static_cast<const uint8_t*>(data) != 0; }
+  /// Of a port of at most 32 bits.
+  uint32_t word() const {
+    uint32_t value = 0;
+    std::memcpy(&value, data, std::min<size_t>(bytes, sizeof value));  // little-endian
+    return value;
+  }
   void set_bit(bool value) const { *static_cast<uint8_t*>(data) = value ? 1 : 0; }
 };
 

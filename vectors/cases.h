@@ -39,8 +39,8 @@ struct TraversalCase {
   std::vector<spec::Stamp> out;
 };
 
-/// Stamps in, the writes of each stream out. The depth memory starts cleared to the greatest code
-/// and sees every write of an earlier stamp. Every lane of a stamp lies inside the frame.
+/// Stamps in, the writes of each stream out. The depth memory starts cleared as the frame says and
+/// sees every write of an earlier stamp. Every lane of a stamp lies inside the frame.
 struct InterpZtestCase {
   static constexpr Unit kUnit = Unit::kInterpZtest;
   std::string name;

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "model/spec/clear_depth.h"
+
 namespace pineda::vectors {
 namespace {
 
@@ -26,6 +30,16 @@ core::Drop read_drop(Lines* lines) {
   lines->refuse("'drop' and zero_area, facing, no_sample or outside");
 }
 
+constexpr const char* kClearDepth = "clear_depth";
+
+std::vector<spec::Field<spec::FrameState>> fields_of_the_line(const spec::Contract& c) {
+  auto table = spec::fields<spec::FrameState>(c);
+  table.erase(std::remove_if(table.begin(), table.end(),
+                             [](const auto& f) { return std::string(f.name) == kClearDepth; }),
+              table.end());
+  return table;
+}
+
 void refuse_large(const Lines& lines, const spec::FrameState& frame) {
   const int64_t samples = int64_t{frame.width} * frame.height;
   if (samples <= kMaxFrameSamples) return;
@@ -35,6 +49,38 @@ void refuse_large(const Lines& lines, const spec::FrameState& frame) {
 }
 
 }  // namespace
+
+FrameCodec::FrameCodec(const spec::Contract& c) : contract_(c), row_(c, fields_of_the_line(c)) {}
+
+std::string FrameCodec::write(const spec::FrameState& frame) const {
+  const spec::Design& d = contract_.design;
+  const uint32_t code = spec::cleared_depth(d, frame);
+  if (code == spec::cleared_depth(d, {})) return row_.write(frame);
+  return row_.write(frame) + fmt::format("{} {}\n", kClearDepth, hex(code, d.depth_bits));
+}
+
+// A frame line: what a struct's widths allow, and values that mean something.
+spec::FrameState FrameCodec::read(Lines* lines) const {
+  if (!lines->starts_with(row_.keyword())) lines->refuse("'frame'");
+  const int number = lines->number();
+  const std::string line = lines->line();
+  spec::FrameState frame = row_.read(lines);
+  const auto expect = [&](bool holds, const char* expected) {
+    if (!holds) lines->refuse_at(number, expected, "'" + line + "'");
+  };
+  expect(frame.width >= 1 && frame.height >= 1, "a frame of at least 1 x 1 px");
+  expect(frame.cull <= spec::Cull::kFront, "cull 0, 1 or 2");
+  expect(frame.depth <= spec::DepthFunc::kAlways, "depth 0 to 8");
+  const spec::Design& d = contract_.design;
+  if (!d.depth_test || !lines->starts_with(kClearDepth)) return frame;
+  const uint64_t code = parse_hex(*lines, lines->word(1, kClearDepth), d.depth_bits, kClearDepth);
+  if (lines->words() != 2 || code == spec::cleared_depth(d, {})) {
+    lines->refuse("'clear_depth' and a code less than the greatest");
+  }
+  frame.clear_depth = spec::depth_of_code(static_cast<uint32_t>(code), d.depth_bits);
+  lines->next();
+  return frame;
+}
 
 std::string Codec<SetupCase>::columns() const { return triangle_.columns() + prim_.columns(); }
 

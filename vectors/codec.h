@@ -1,4 +1,4 @@
-// The body of a case: the lines between `frame` and `end`, one codec a unit. For file.cpp.
+// A case's state, and its body: the lines between that and `end`, one codec a unit. For file.cpp.
 #pragma once
 
 #include <string>
@@ -7,6 +7,21 @@
 #include "vectors/text.h"
 
 namespace pineda::vectors {
+
+/// The state of a case: its `frame` line, and behind it a line `clear_depth` where depth is not
+/// cleared to the greatest code.
+class FrameCodec {
+ public:
+  explicit FrameCodec(const spec::Contract& c);
+  std::string columns() const { return row_.columns(); }
+  std::string write(const spec::FrameState& frame) const;
+  /// From the current line on; goes to the line behind it.
+  spec::FrameState read(Lines* lines) const;
+
+ private:
+  spec::Contract contract_;
+  Row<spec::FrameState> row_;
+};
 
 /// columns(): the lines that name the columns. write(): the body. read(): fills all but name and
 /// frame from the current line on, stops at the first line that is not the body's.

@@ -64,28 +64,13 @@ uint64_t read_count(Lines* lines, const spec::Contract& c) {
   return parse_decimal(*lines, next_value(lines, "cases"), "cases");
 }
 
-// One frame line: what a struct's widths allow, and values that mean something.
-spec::FrameState read_frame(Lines* lines, const Row<spec::FrameState>& row) {
-  if (!lines->starts_with(row.keyword())) lines->refuse("'frame'");
-  const int number = lines->number();
-  const std::string line = lines->line();
-  const spec::FrameState frame = row.read(lines);
-  const auto expect = [&](bool holds, const char* expected) {
-    if (!holds) lines->refuse_at(number, expected, "'" + line + "'");
-  };
-  expect(frame.width >= 1 && frame.height >= 1, "a frame of at least 1 x 1 px");
-  expect(frame.cull <= spec::Cull::kFront, "cull 0, 1 or 2");
-  expect(frame.depth <= spec::DepthFunc::kAlways, "depth 0 to 8");
-  return frame;
-}
-
 template <class Case>
-Case read_case(Lines* lines, const Row<spec::FrameState>& frame, const Codec<Case>& codec) {
+Case read_case(Lines* lines, const FrameCodec& frame, const Codec<Case>& codec) {
   if (!lines->starts_with("case") || lines->words() != 2) lines->refuse("'case' and its name");
   Case value{};
   value.name = lines->word(1, "case");
   lines->next();
-  value.frame = read_frame(lines, frame);
+  value.frame = frame.read(lines);
   codec.read(lines, &value);
   if (!lines->starts_with("end") || lines->words() != 1) {
     lines->refuse(fmt::format("'end' of case {}", value.name));
@@ -129,7 +114,7 @@ File<Case> read_text(const std::string& path, const std::string& text) {
   const int hash_line = lines.number();
   const uint64_t content = spec::text_hash(lines.rest());
 
-  const Row<spec::FrameState> frame(file.contract);
+  const FrameCodec frame(file.contract);
   const Codec<Case> codec(file.contract);
   expect_columns(&lines, frame.columns() + codec.columns());
   lines.next();
@@ -154,7 +139,7 @@ File<Case> read(const std::string& path) {
 
 template <class Case>
 std::string write_text(const File<Case>& file) {
-  const Row<spec::FrameState> frame(file.contract);
+  const FrameCodec frame(file.contract);
   const Codec<Case> codec(file.contract);
   std::string body = frame.columns() + codec.columns();
   for (const Case& c : file.cases) {

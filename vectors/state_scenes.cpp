@@ -1,6 +1,8 @@
 // Raster state and perspective: what a frame or a vertex says beyond position, depth and colour.
 #include <algorithm>
+#include <array>
 
+#include "model/spec/clear_depth.h"
 #include "vectors/draw.h"
 
 namespace pineda::vectors {
@@ -71,13 +73,28 @@ void flat_shading(Draw& d) {
   }
 }
 
+// Each function twice, on depth cleared to the nearest, to one of the depths that are drawn, next
+// to the farthest, or to any: what is nearer and what is farther than the cleared depth is drawn.
+void clear_depth(Draw& d) {
+  d.frame(8, 8);
+  spec::FrameState& frame = d.scene().frame;
+  frame.depth = static_cast<DepthFunc>(d.index() % 9);
+  const int64_t top = d.far() >> spec::kDepthInputFractionBits;
+  const std::array<int64_t, 5> codes{0, top / 3, top - 1, d.rng().between(0, top - 1), top / 3 * 2};
+  const auto code =
+      static_cast<uint32_t>(codes[static_cast<size_t>(d.index() + d.index() / 9) % 5]);
+  frame.clear_depth = spec::depth_of_code(code, d.contract().design.depth_bits);
+  add_few_depths(d, 4);
+}
+
 }  // namespace
 
 std::vector<SceneClass> state_classes() {
   return {{"depth_function", 18, depth_function},
           {"scissor", 9, scissor},
           {"depth_bias", 12, depth_bias},
-          {"flat_shading", 3, flat_shading}};
+          {"flat_shading", 3, flat_shading},
+          {"clear_depth", 18, clear_depth}};
 }
 
 }  // namespace pineda::vectors

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/spec/fields.h"
@@ -65,7 +66,10 @@ uint64_t parse_decimal(const Lines& lines, const std::string& word, const std::s
 template <class T>
 class Row {
  public:
-  explicit Row(const spec::Contract& c) : contract_(c), table_(spec::fields<T>(c)) {}
+  explicit Row(const spec::Contract& c) : Row(c, spec::fields<T>(c)) {}
+  /// Of some of the struct's fields.
+  Row(const spec::Contract& c, std::vector<spec::Field<T>> table)
+      : contract_(c), table_(std::move(table)) {}
 
   const char* keyword() const { return spec::struct_name<T>(); }
 

@@ -97,6 +97,9 @@ struct Processor : sc_core::sc_module {
     const timing::Cycle fast = draw({96, 64}, many);
     memory_.latency = 20 * kCycle;
     right = draw({96, 64}, many) > fast && right;
+    spec::FrameState reversed{96, 64, spec::Cull::kNone, spec::DepthFunc::kGreater};
+    reversed.clear_depth = 0;
+    draw(reversed, many);
     failed = !right || mismatches_ > 0;
     sc_core::sc_stop();
   }
@@ -106,7 +109,7 @@ struct Processor : sc_core::sc_module {
     const spec::Contract contract = spec::contract(spec::kHighTile);
     const memory::FrameLayout depth(contract, frame, memory::kDepthBytes);
     const memory::FrameLayout color(contract, frame, memory::color_bytes(contract.design));
-    transfer(tlm::TLM_WRITE_COMMAND, kDepthBase, depth_bytes(contract, depth));
+    transfer(tlm::TLM_WRITE_COMMAND, kDepthBase, depth_bytes(contract, frame, depth));
     transfer(tlm::TLM_WRITE_COMMAND, kColorBase, std::vector<unsigned char>(color.bytes()));
     keeper_.sync();
 
@@ -132,9 +135,11 @@ struct Processor : sc_core::sc_module {
   }
 
   static std::vector<unsigned char> depth_bytes(const spec::Contract& contract,
+                                                const spec::FrameState& frame,
                                                 const memory::FrameLayout& layout) {
     std::vector<unsigned char> bytes(layout.bytes());
-    const uint32_t cleared = core::cleared_depth(contract.design);  // little-endian, as it is here
+    // Little-endian, as it is here
+    const uint32_t cleared = spec::cleared_depth(contract.design, frame);
     for (size_t i = 0; i < bytes.size(); i += 4) std::memcpy(&bytes[i], &cleared, 4);
     return bytes;
   }

@@ -34,7 +34,7 @@ Renderer::Renderer(const Contract& contract, const spec::FrameState& frame, Tile
 
 void Renderer::clear() {
   by_rows_.reset();
-  buffer_.clear(contract_);
+  buffer_.clear();
   counters_ = {};
 }
 

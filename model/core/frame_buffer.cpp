@@ -11,14 +11,16 @@ using spec::Contract;
 
 template <class Order>
 SampleMemories<Order>::SampleMemories(const Contract& c, const spec::FrameState& frame)
-    : Order(c.design, frame), channels(spec::channels(c.design)) {
-  clear(c);
+    : Order(c.design, frame),
+      channels(spec::channels(c.design)),
+      clear_depth(spec::cleared_depth(c.design, frame)) {
+  clear();
 }
 
 template <class Order>
-void SampleMemories<Order>::clear(const Contract& c) {
+void SampleMemories<Order>::clear() {
   const size_t samples = this->samples();
-  depth.assign(samples, cleared_depth(c.design));
+  depth.assign(samples, clear_depth);
   color.assign(samples * static_cast<size_t>(channels), 0);
   hits.assign(samples, 0);
 }

@@ -3,14 +3,9 @@
 
 #include <vector>
 
-#include "model/spec/structs.h"
+#include "model/spec/clear_depth.h"
 
 namespace pineda::core {
-
-/// The code of a cleared sample: the greatest; without depth in the design 0xFFFFFF.
-constexpr uint32_t cleared_depth(const spec::Design& d) {
-  return static_cast<uint32_t>((uint64_t{1} << (d.depth_test ? d.depth_bits : 24)) - 1);
-}
 
 /// The order of samples in memories, row by row, top row first.
 struct RowMajor {
@@ -38,13 +33,14 @@ struct SampleMemories : Order {
   using Samples = typename Order::template Samples<T>;
 
   int channels = 0;
-  Samples<uint32_t> depth;  // codes
-  Samples<uint16_t> color;  // `channels` values a sample, flat ones last, cleared to 0
-  Samples<uint16_t> hits;   // triangles that cover the sample, saturating at 65535
+  uint32_t clear_depth = 0;  // code
+  Samples<uint32_t> depth;   // codes
+  Samples<uint16_t> color;   // `channels` values a sample, flat ones last, cleared to 0
+  Samples<uint16_t> hits;    // triangles that cover the sample, saturating at 65535
 
   SampleMemories() = default;
   SampleMemories(const spec::Contract& contract, const spec::FrameState& frame);
-  void clear(const spec::Contract& contract);
+  void clear();
 
   /// Calls visit(lane, sample) for each lane of `mask` of the stamp in column x, row y; `sample`
   /// indexes the memories.

@@ -55,6 +55,7 @@ FrameBuffer TiledBuffer::by_rows(const spec::Contract& contract) const {
   frame.width = width;
   frame.height = height;
   FrameBuffer buffer(contract, frame);
+  buffer.clear_depth = clear_depth;
   copy_rows(0, tile_rows - 1, &buffer);
   return buffer;
 }

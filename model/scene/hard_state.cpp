@@ -1,4 +1,5 @@
-// Hard cases of raster state: scissor, depth functions, depth write, depth bias, flat shading.
+// Hard cases of raster state: scissor, depth functions, depth write, depth bias, cleared depth,
+// flat shading.
 #include "model/scene/hard_draw.h"
 
 namespace pineda::scene::hard {
@@ -37,10 +38,32 @@ constexpr FrameState few_depths_frame(DepthFunc func, bool depth_write) {
   return f;
 }
 
+// The same with depths from the near end to the far one, both among them.
+std::vector<ScreenTriangle> few_depths_from_0() {
+  Drawing d(54);
+  for (int i = 0; i < 60; ++i) {
+    const Point a = d.in_box({0, 0}, {32 * kPx, 32 * kPx});
+    const Point b = d.near(a, 16 * kPx);
+    const Point c = d.near(a, 16 * kPx);
+    d.add_flat(a, b, c, static_cast<float>(d.random().in(0, 4)) / 4);
+  }
+  return d.triangles();
+}
+
+constexpr FrameState cleared(FrameState f, double depth) {
+  f.clear_depth = depth;
+  return f;
+}
+
 constexpr FrameState biased(int64_t constant, int32_t slope) {
   FrameState f = frame(64, 48);
   f.bias_constant = constant;
   f.bias_slope = slope;
+  return f;
+}
+
+constexpr FrameState reversed(FrameState f) {
+  f.depth = DepthFunc::kGreater;
   return f;
 }
 
@@ -101,6 +124,18 @@ std::vector<HardCase> state_cases() {
        "within the bound and the slope's; codes stop at 0", biased(-300, -448), slopes},
       {"depth_bias_far", "the same, biased farther by 77 codes and 2.5 slopes",
        "within the bound and the slope's; codes stop at the greatest", biased(77, 640), slopes},
+      {"reversed_z", "overlapping triangles of few depths; depth greater, cleared to 0",
+       "the one of the greatest depth is seen, the first of equal ones; what lies at 0 is not",
+       cleared(few_depths_frame(DepthFunc::kGreater, true), 0), few_depths_from_0},
+      {"reversed_z_gequal", "the same with depth gequal",
+       "the one of the greatest depth is seen, the last of equal ones; what lies at 0 is, too",
+       cleared(few_depths_frame(DepthFunc::kGequal, true), 0), few_depths_from_0},
+      {"reversed_z_slopes", "level to steep triangles; depth greater, cleared to 0, biased nearer",
+       "within the bound and the slope's; the one of the greatest depth is seen",
+       cleared(reversed(biased(300, 448)), 0), slopes},
+      {"clear_depth", "overlapping triangles of few depths; depth less, cleared to .75",
+       "what is nearer than .75 is seen, the nearest in front; nothing else ever is",
+       cleared(few_depths_frame(DepthFunc::kLess, true), .75), few_depths_from_0},
       {"flat_shading", "vertices of three colours, in any order, with and without perspective",
        "every sample has exactly the colour of its triangle's first vertex", flat(), flat_shading},
   };

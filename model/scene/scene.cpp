@@ -18,6 +18,7 @@
 #include "model/scene/ply_reader.h"
 #include "model/scene/ptrb_reader.h"
 #include "model/scene/tri_reader.h"
+#include "model/spec/clear_depth.h"
 
 namespace pineda::scene {
 namespace {
@@ -39,6 +40,7 @@ void refuse_frame_options(const std::string& name, const Options& options,
   refuse(name, options.scissor.has_value(), "scissor option", own);
   refuse(name, options.depth_write.has_value(), "depth write option", own);
   refuse(name, options.depth_bias.has_value(), "depth bias option", own);
+  refuse(name, options.clear_depth.has_value(), "clear depth option", own);
   refuse(name, options.shade.has_value(), "shade option", own);
 }
 
@@ -65,6 +67,7 @@ spec::FrameState frame_of(const spec::Contract& contract, const std::string& nam
     frame.bias_constant = options.depth_bias->constant;
     frame.bias_slope = options.depth_bias->slope.units;
   }
+  frame.clear_depth = options.clear_depth.value_or(1.0f);
   frame.shade = options.shade.value_or(spec::Shade::kSmooth);
   return frame;
 }
@@ -284,6 +287,40 @@ void add_missing_parts(const spec::Design& d, const spec::FrameState& frame,
   }
 }
 
+// Depth functions that no sample of a freshly cleared frame passes, or only those at an end of the
+// range: a word, for nobody draws so on purpose.
+void add_impassable(const spec::Design& d, const spec::FrameState& frame,
+                    std::vector<std::string>* lines) {
+  using spec::DepthFunc;
+  if (!d.depth_test) return;
+  const uint32_t cleared = spec::cleared_depth(d, frame);
+  const bool is_nearest = cleared == 0;
+  const bool is_farthest = cleared == spec::depth_code(1, d.depth_bits);
+  const char* text = nullptr;
+  if (frame.depth == DepthFunc::kNever) text = "no sample passes";
+  if (frame.depth == DepthFunc::kGreater && is_farthest) {
+    text =
+        "nothing is greater than what depth is cleared to; cleardepth 0 or --clear-depth 0 clears "
+        "it to the nearest";
+  }
+  if (frame.depth == DepthFunc::kGequal && is_farthest) {
+    text =
+        "only samples at the far end are not less than what depth is cleared to; cleardepth 0 or "
+        "--clear-depth 0 clears it to the nearest";
+  }
+  if (frame.depth == DepthFunc::kLess && is_nearest) {
+    text =
+        "nothing is less than what depth is cleared to; cleardepth 1 or --clear-depth 1 clears it "
+        "to the farthest";
+  }
+  if (frame.depth == DepthFunc::kLequal && is_nearest) {
+    text =
+        "only samples at the near end are not greater than what depth is cleared to; cleardepth 1 "
+        "or --clear-depth 1 clears it to the farthest";
+  }
+  if (text != nullptr) lines->push_back(fmt::format("depth {}: {}", name_of(frame.depth), text));
+}
+
 }  // namespace
 
 std::vector<std::string> notes(const spec::Design& design, const spec::FrameState& frame,
@@ -306,6 +343,7 @@ std::vector<std::string> notes(const spec::Design& design, const spec::FrameStat
         "the depth bias's slope factor is taken as {}, the nearest multiple of 1/256",
         std::ldexp(static_cast<double>(frame.bias_slope), -spec::kBiasFactorFractionBits)));
   }
+  add_impassable(design, frame, &lines);
   add_missing_parts(design, frame, &lines);
   return lines;
 }

@@ -36,6 +36,7 @@ struct Options {
   std::optional<Scissor> scissor;
   std::optional<bool> depth_write;
   std::optional<DepthBias> depth_bias;  // |constant| < 2^depth_bits
+  std::optional<float> clear_depth;     // 0 to 1
   std::optional<spec::Shade> shade;
   std::optional<Camera> camera;      // meshes only; default: framing_view()
   std::optional<int> camera_number;  // one of Mesh::camera, .gltf and .glb only; without `camera`

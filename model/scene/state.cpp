@@ -79,6 +79,13 @@ std::optional<BiasSlope> parse_bias_slope(const char* word) {
   return BiasSlope{static_cast<int32_t>(rounded), rounded != scaled};
 }
 
+std::optional<float> parse_clear_depth(const char* word) {
+  char* end = nullptr;
+  const float value = std::strtof(word, &end);
+  if (end == word || *end != '\0' || !(value >= 0 && value <= 1)) return std::nullopt;
+  return std::abs(value);  // -0 is 0
+}
+
 std::string unusual_state(const spec::FrameState& f) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
@@ -91,6 +98,9 @@ std::string unusual_state(const spec::FrameState& f) {
   if (f.has_bias()) {
     add(fmt::format("depth bias {},{}", f.bias_constant,
                     std::ldexp(static_cast<double>(f.bias_slope), -spec::kBiasFactorFractionBits)));
+  }
+  if (f.clear_depth != 1) {
+    add(fmt::format("clear depth {}", static_cast<float>(f.clear_depth)));
   }
   if (f.shade != spec::Shade::kSmooth) add("shade " + name_of(f.shade));
   return text;

@@ -58,6 +58,10 @@ struct BiasSlope {
 std::optional<BiasSlope> parse_bias_slope(const char* word);
 inline constexpr const char* kExpectedBiasSlope = "a slope factor from -128 to less than 128";
 
+/// What depth is cleared to: a binary32 from 0 to 1, in any form that C's strtof reads.
+std::optional<float> parse_clear_depth(const char* word);
+inline constexpr const char* kExpectedClearDepth = "a clear depth from 0 to 1";
+
 struct DepthBias {
   int64_t constant = 0;  // depth codes
   BiasSlope slope;

@@ -23,7 +23,7 @@ struct TriReader::StateLine {
   void (TriReader::*read)();
 };
 
-const std::array<TriReader::StateLine, 7> TriReader::kStateLines{{
+const std::array<TriReader::StateLine, 8> TriReader::kStateLines{{
     {"size", "size WIDTH HEIGHT", 3, &TriReader::read_size},
     {"cull", "cull none|back|front", 2, &TriReader::read_word<spec::Cull, &spec::FrameState::cull>},
     {"depth", "depth FUNCTION", 2,
@@ -32,6 +32,7 @@ const std::array<TriReader::StateLine, 7> TriReader::kStateLines{{
     {"depthwrite", "depthwrite on|off", 2,
      &TriReader::read_word<bool, &spec::FrameState::depth_write>},
     {"depthbias", "depthbias CONSTANT SLOPE", 3, &TriReader::read_bias},
+    {"cleardepth", "cleardepth Z", 2, &TriReader::read_clear_depth},
     {"shade", "shade smooth|flat", 2, &TriReader::read_word<spec::Shade, &spec::FrameState::shade>},
 }};
 
@@ -108,6 +109,12 @@ void TriReader::read_bias() {
   frame_.bias_constant = *constant;
   frame_.bias_slope = slope->units;
   rounded_slope_ = slope->rounded;
+}
+
+void TriReader::read_clear_depth() {
+  const auto z = parse_clear_depth(lines_.words()[1]);
+  if (!z) lines_.fail(kExpectedClearDepth, lines_.words()[1]);
+  frame_.clear_depth = *z;
 }
 
 template <class T, T spec::FrameState::*kMember>

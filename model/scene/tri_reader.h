@@ -27,7 +27,7 @@ class TriReader final : public ScreenReader {
 
  private:
   struct StateLine;
-  static const std::array<StateLine, 7> kStateLines;
+  static const std::array<StateLine, 8> kStateLines;
   static size_t find_state_line(const char* key);
 
   bool is_first_line() const;
@@ -36,6 +36,7 @@ class TriReader final : public ScreenReader {
   void read_size();
   void read_scissor();
   void read_bias();
+  void read_clear_depth();
   template <class T, T spec::FrameState::*kMember>
   void read_word();
   ScreenVertex vertex(Counters* counters) const;
@@ -44,7 +45,7 @@ class TriReader final : public ScreenReader {
   LineReader lines_;
   spec::FrameState frame_;
   bool rounded_slope_ = false;
-  std::array<bool, 7> seen_{};  // of kStateLines
+  std::array<bool, 8> seen_{};  // of kStateLines
   bool at_vertex_ = false;      // lines_ stands on a vertex that was not taken yet
   uint64_t next_ = 0;           // number of the next triangle
 };

@@ -165,18 +165,21 @@ void write_color_png(const std::string& path, const Frame& frame) {
 }
 
 void write_depth_png(const std::string& path, const Frame& frame) {
-  uint32_t nearest = frame.clear_depth;
-  uint32_t farthest = 0;
+  uint32_t least = UINT32_MAX;
+  uint32_t greatest = 0;
   for (const uint32_t code : frame.depth) {
-    nearest = std::min(nearest, code);
-    if (code != frame.clear_depth) farthest = std::max(farthest, code);
+    if (code == frame.clear_depth) continue;
+    least = std::min(least, code);
+    greatest = std::max(greatest, code);
   }
+  // A single depth is shown as the nearest.
+  const uint64_t range = greatest > least ? greatest - least : 1;
+  const bool is_reversed = frame.clear_depth == 0;
   std::vector<uint8_t> grey;
   grey.reserve(frame.depth.size());
   for (const uint32_t code : frame.depth) {
-    // A single depth is shown as the nearest.
-    const uint64_t range = std::max<uint64_t>(farthest - std::min(nearest, farthest), 1);
-    const uint64_t dark = (kNearestGrey - kFarthestGrey) * static_cast<uint64_t>(code - nearest);
+    const uint64_t behind = is_reversed ? greatest - code : code - least;
+    const uint64_t dark = (kNearestGrey - kFarthestGrey) * behind;
     grey.push_back(code == frame.clear_depth ? uint8_t{0}
                                              : static_cast<uint8_t>(kNearestGrey - dark / range));
   }

@@ -35,7 +35,8 @@ void write_rgb_png(const std::string& path, int width, int height, const std::ve
 void write_color_png(const std::string& path, const Frame& frame);
 
 /// 8-bit grey, the nearest sample 255, the farthest 40, evenly between: the contrast is that of the
-/// depths that occur, so codes of two pictures cannot be compared. Cleared samples are black.
+/// depths that occur, so codes of two pictures cannot be compared. Cleared samples are black. The
+/// nearest has the least code; where depth is cleared to 0 (reversed z) it has the greatest.
 void write_depth_png(const std::string& path, const Frame& frame);
 
 /// hits.u16, depth.u32 and color.rgba in `folder`, little-endian. Values of other than eight bits

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "model/spec/clear_depth.h"
+
 namespace pineda::spec {
 namespace {
 
@@ -118,6 +120,11 @@ Table<FrameState> fields(const Contract& c) {
        PINEDA_ACCESS(FrameState, s.bias_constant)},
       {"bias_slope", "px", true, kBiasSlopeBits, kBiasFactorFractionBits, depth,
        PINEDA_ACCESS(FrameState, s.bias_slope)},
+      {"clear_depth", "code", false, c.design.depth_bits, 0, depth,
+       PINEDA_GET(FrameState, depth_code(s.clear_depth, contract.design.depth_bits)),
+       [](const Contract& contract, FrameState& s, int, int64_t x) {
+         s.clear_depth = depth_of_code(static_cast<uint32_t>(x), contract.design.depth_bits);
+       }},
   });
 }
 

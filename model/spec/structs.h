@@ -42,6 +42,8 @@ struct FrameState {
   // Depth bias = constant + slope * max(|dz/dx|, |dz/dy|)
   int64_t bias_constant = 0;  // depth codes
   int32_t bias_slope = 0;     // units of 2^-8, -2^15 to 2^15 - 1
+  // What depth is cleared to, 0 to 1; a scene states a binary32. Codes: see clear_depth.h.
+  double clear_depth = 1;
 
   /// The scissor clipped to the frame.
   int clip_x0() const { return scissor_x0 < width ? scissor_x0 : width; }

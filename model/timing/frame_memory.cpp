@@ -54,7 +54,7 @@ void FrameMemory::begin_frame(const spec::FrameState& frame) {
   color_.layout = {contract_, frame, memory::color_bytes(contract_.design)};
   color_.bytes.assign(color_.layout.bytes(), 0);
   depth_.bytes.resize(depth_.layout.bytes());
-  const uint32_t cleared = core::cleared_depth(contract_.design);
+  const uint32_t cleared = spec::cleared_depth(contract_.design, frame);
   for (size_t i = 0; i < depth_.bytes.size(); ++i) {
     depth_.bytes[i] = static_cast<unsigned char>(cleared >> (8 * (i % memory::kDepthBytes)));
   }

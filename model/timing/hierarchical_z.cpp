@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "model/spec/clear_depth.h"
+
 namespace pineda::timing {
 namespace {
 
@@ -23,10 +25,10 @@ void HierarchicalZ::begin_frame(const spec::FrameState& frame) {
   const int rows = ((frame.height - 1) >> d.tile_log2) + 1;
   const size_t tiles = std::min(index(0, rows), static_cast<size_t>(d.hierarchical_z_tiles));
   greatest_.assign(tiles << stamps_log2(d), 0);
-  // A cleared depth is the greatest; what lies outside the frame hides nothing.
-  const auto top = static_cast<uint32_t>((uint64_t{1} << d.hierarchical_z_bits) - 1);
+  // What lies outside the frame hides nothing.
+  const uint32_t cleared = spec::cleared_depth(d, frame) >> (d.depth_bits - d.hierarchical_z_bits);
   for (int y = 0; y <= (frame.height - 1) >> d.stamp_height_log2; ++y) {
-    for (int x = 0; x <= (frame.width - 1) >> d.stamp_width_log2; ++x) apply({x, y, top});
+    for (int x = 0; x <= (frame.width - 1) >> d.stamp_width_log2; ++x) apply({x, y, cleared});
   }
 }
 

@@ -14,7 +14,8 @@ namespace pineda::timing {
 ///
 /// Bits     a tile is hidden when depth_floor() of the triangle there is greater than the greatest
 ///          depth of all its stamps, both in their top bits; so nothing of it can pass LESS or
-///          LEQUAL, and with another function nothing is hidden.
+///          LEQUAL, and with another function nothing is hidden. A stamp that was not written has
+///          the depth that the frame is cleared to.
 /// In       update(): the depths of stamps as their writes are accepted, in order of the cycles.
 ///          hides(): tile tests, in the order of theirs.
 /// Rate     a write accepted in t is seen by a test in t + hierarchical_z_delay_cycles.

@@ -75,7 +75,7 @@ void LastWrite::clear(uint32_t tile) {
   cleared_[tile] = true;
   const size_t samples = buffer_->tile_samples;
   std::fill_n(buffer_->depth.begin() + static_cast<std::ptrdiff_t>(tile * samples), samples,
-              core::cleared_depth(contract_.design));
+              buffer_->clear_depth);
 }
 
 void LastWrite::test(Run* run) {

@@ -144,9 +144,12 @@ void RasterTop::clear_direct() {
   const spec::FrameState& state = frame_.state;
   if (state.width != direct_.width || state.height != direct_.height) {
     direct_ = core::TiledBuffer(contract_, state);
-  } else if (frame_.has_values) {
-    std::fill(direct_.depth.begin(), direct_.depth.end(), core::cleared_depth(contract_.design));
-    std::fill(direct_.color.begin(), direct_.color.end(), 0);
+  } else {
+    direct_.clear_depth = spec::cleared_depth(contract_.design, state);
+    if (frame_.has_values) {
+      std::fill(direct_.depth.begin(), direct_.depth.end(), direct_.clear_depth);
+      std::fill(direct_.color.begin(), direct_.color.end(), 0);
+    }
   }
   frame_.buffer = &direct_;
   frame_.depth_latency = memory_->fixed_latency();

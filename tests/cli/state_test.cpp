@@ -1,5 +1,6 @@
-// Raster state through the program: every depth function with and without writes, scissors, biases
-// and flat shading, before a rasterizer of a few lines in exact arithmetic.
+// Raster state through the program: every depth function with and without writes and on several
+// cleared depths, scissors, biases and flat shading, before a rasterizer of a few lines in exact
+// arithmetic.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,7 +45,12 @@ struct State {
   Function function;
   bool write = true;
   exact::Frame frame{kWidth, kHeight};
+  float clear = 1;
 
+  /// A binary32 times 24 bits: exact in a double, so rounded once.
+  int64_t clear_code() const {
+    return static_cast<int64_t>(std::floor(double{clear} * kClearedDepth + .5));
+  }
   std::string lines() const {
     std::string text = std::string("depth ") + function.name + "\n";
     if (!write) text += "depthwrite off\n";
@@ -57,6 +63,7 @@ struct State {
       text += "depthbias " + std::to_string(frame.bias_constant) + " " +
               std::to_string(frame.bias_slope / 256.) + "\n";
     }
+    if (clear != 1) text += "cleardepth " + std::to_string(clear) + "\n";
     if (frame.flat) text += "shade flat\n";
     return text;
   }
@@ -81,6 +88,14 @@ std::vector<State> states() {
       s.frame.flat = n % 5 < 2;
       all.push_back(s);
       ++n;
+    }
+  }
+  // Depths of the triangles are among them, and one that is not.
+  for (const Function& f : functions()) {
+    for (const float clear : {0.f, .5f, .6875f}) {
+      State s{std::string(f.name) + "ClearedTo" + std::to_string(int(clear * 10000)), f, true};
+      s.clear = clear;
+      all.push_back(s);
     }
   }
   State empty{"lessEmptyScissor", functions()[2]};
@@ -119,7 +134,7 @@ struct Expected {
 
 Expected expected(const Scene& scene, const State& state) {
   const size_t samples = size_t{kWidth} * kHeight;
-  Expected e{std::vector<uint16_t>(samples), std::vector<int64_t>(samples, kClearedDepth),
+  Expected e{std::vector<uint16_t>(samples), std::vector<int64_t>(samples, state.clear_code()),
              std::vector<exact::Sample>(samples), std::vector<bool>(samples), 0};
   for (const Triangle& t : scene.triangles) {
     exact::ScreenTriangle stated;
@@ -191,7 +206,8 @@ TEST_P(EveryState, RtlDumpsTheBytesOfRenderAndCheckHolds) {
 INSTANTIATE_TEST_SUITE_P(Cli, EveryState, testing::ValuesIn(states()),
                          [](const auto& param) { return param.param.name; });
 
-// The mutants: another function, no scissor, no bias and smooth shading are seen by the comparison.
+// The mutants: another function, another cleared depth, no scissor, no bias and smooth shading are
+// seen by the comparison.
 TEST(EveryStateMutant, AnotherStateGivesAnotherFrame) {
   State state{"", functions()[2]};
   const Scene scene = level_triangles(state);
@@ -204,6 +220,9 @@ TEST(EveryStateMutant, AnotherStateGivesAnotherFrame) {
     EXPECT_NE(expected(scene, state).passed, less.passed) << name;
   }
   state.function = functions()[2];
+  state.clear = .5f;
+  EXPECT_NE(expected(scene, state).depth, less.depth);
+  state.clear = 1;
   state.frame.bias_constant = 9000000;
   EXPECT_NE(expected(scene, state).depth, less.depth);
   state.frame = {kWidth, kHeight, exact::Cull::kNone, 5, 3, 50, 30};
@@ -214,13 +233,16 @@ TEST(State, IsSaidWhereItIsNotAsByDefault) {
   const Scratch scratch;
   const Scene scene = pile(64, 48, 5, 73);
   Scene other = scene;
-  other.state = "scissor 4 8 100 16\ndepthwrite off\ndepthbias -9 1.5\nshade flat\n";
+  other.state =
+      "scissor 4 8 100 16\ndepthwrite off\ndepthbias -9 1.5\ncleardepth 0.1\nshade flat\n";
   const std::string plain = scratch.write("plain.tri", tri_text(scene));
   const std::string unusual = scratch.write("unusual.tri", tri_text(other));
-  const std::string said = "scissor 4,8,60,16 px, depth write off, depth bias -9,1.5, shade flat";
+  const std::string said =
+      "scissor 4,8,60,16 px, depth write off, depth bias -9,1.5, clear depth 0.1, "
+      "shade flat";
   for (const char* command : {"render", "time", "error"}) {
     const Json by_default = figures({command, plain});
-    for (const char* key : {"scissor", "depth_write", "depth_bias", "shade"}) {
+    for (const char* key : {"scissor", "depth_write", "depth_bias", "clear_depth", "shade"}) {
       EXPECT_FALSE(by_default.contains(key)) << command << " " << key;
     }
     const Json json = figures({command, unusual});
@@ -228,6 +250,7 @@ TEST(State, IsSaidWhereItIsNotAsByDefault) {
         << command;
     EXPECT_EQ(json.at("depth_write"), "off") << command;
     EXPECT_EQ(json.at("depth_bias"), Json({{"constant", -9}, {"slope", 1.5}})) << command;
+    EXPECT_EQ(json.at("clear_depth"), 0.1f) << command;
     EXPECT_EQ(json.at("shade"), "flat") << command;
     EXPECT_NE(pineda({command, unusual}).out.find(said), std::string::npos) << command;
   }
@@ -235,15 +258,50 @@ TEST(State, IsSaidWhereItIsNotAsByDefault) {
 
 TEST(State, OptionsGiveABuiltInSceneTheStateOfAFile) {
   const Scratch scratch;
-  const Json json =
-      figures({"render", "grid", "--size", "64x48", "--depth", "gequal", "--scissor", "4,8,60,16",
-               "--depth-write", "off", "--depth-bias", "-9,.3", "--shade", "flat"});
+  const Json json = figures({"render", "grid", "--size", "64x48", "--depth", "gequal", "--scissor",
+                             "4,8,60,16", "--depth-write", "off", "--depth-bias", "-9,.3",
+                             "--clear-depth", "0x.8p-1", "--shade", "flat"});
   EXPECT_EQ(json.at("depth_func"), "gequal");
   EXPECT_EQ(json.at("scissor").at("y"), 8);
   EXPECT_EQ(json.at("depth_bias").at("slope"), 77 / 256.);
+  EXPECT_EQ(json.at("clear_depth"), .25);
   EXPECT_EQ(json.at("input").at("rounded_slope"), 1);
   const Outcome run = pineda({"render", "grid", "--depth-bias", "-9,.3", "--quiet"});
   EXPECT_NE(run.err.find("slope factor is taken as 0.30078125"), std::string::npos) << run.err;
+}
+
+// Reversed z: the depths turned round, greater for less and cleared to 0 draw the same picture;
+// what cannot be drawn without the latter is said.
+TEST(ReversedZ, DrawsThePictureOfLess) {
+  const Scratch scratch;
+  Scene scene = pile(64, 48, 60, 76);
+  Random random(77);
+  for (auto& t : scene.triangles) {
+    const float z = static_cast<float>(random.in(1, 63)) / 64;
+    for (auto& v : t) v.z = z;
+  }
+  Scene reversed = scene;
+  for (auto& t : reversed.triangles) {
+    for (auto& v : t) v.z = 1 - v.z;
+  }
+  const auto text = [](Scene s, const std::string& state) {
+    s.state = state;
+    return text_of(s);
+  };
+  const auto draw = [&](const std::string& name, const std::string& scene_text) {
+    const std::string path = scratch.write(name + ".tri", scene_text);
+    return pineda({"render", path, "--quiet", "--dump", scratch.path(name)}).err;
+  };
+  EXPECT_EQ(draw("less", text(scene, "depth less\n")), "");
+  EXPECT_EQ(draw("greater", text(reversed, "depth greater\ncleardepth 0\n")), "");
+  EXPECT_EQ(read_bytes(scratch.path("less/color.rgba")),
+            read_bytes(scratch.path("greater/color.rgba")));
+  const std::string said = draw("fresh", text(reversed, "depth greater\n"));
+  EXPECT_NE(said.find("nothing is greater than what depth is cleared to; cleardepth 0"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(read_bytes(scratch.path("less/color.rgba")),
+            read_bytes(scratch.path("fresh/color.rgba")));
 }
 
 TEST(State, WhatTheTextbookAlgorithmsDoNotKnowLeavesThemOut) {

@@ -74,6 +74,47 @@ TEST(DepthWrite, OffTestsAndColorsButKeepsTheDepth) {
   EXPECT_EQ(renderer.counters().passed, 2u * 24 * 20);
 }
 
+// Each function on depth cleared to the nearest, the middle and the farthest, by hand: sheets at
+// the ends, in the middle and beside it, one by one. By stamps and by whole tiles.
+TEST(ClearDepth, EachFunctionComparesWithIt) {
+  const int64_t middle = 1 << 23;
+  const int64_t top = (1 << 24) - 1;
+  struct Ignore {
+    void prim(const spec::SetupPrim&) {}
+    void stamp(const spec::Stamp&) {}
+    void depth(const spec::DepthWrite&) {}
+    void color(const spec::ColorWrite&) {}
+  };
+  int seen = 0;
+  for (const auto& [z, code] : {std::pair{0., int64_t{0}}, {.5, middle}, {1., top}}) {
+    for (int f = 0; f < 9; ++f) {
+      spec::FrameState frame = kSmall;
+      frame.depth = static_cast<DepthFunc>(f);
+      frame.clear_depth = z;
+      for (const int64_t depth : {int64_t{0}, middle - 1, middle, middle + 1, top}) {
+        const uint32_t passes =
+            core::depth_test(kContract, frame.depth, 1, {static_cast<uint32_t>(depth)},
+                             {static_cast<uint32_t>(code)});
+        const bool writes = passes != 0 && frame.depth != DepthFunc::kOff;
+        core::Renderer stamps(kContract, frame), tiles(kContract, frame);
+        stamps.draw(sheet(depth, 9), Ignore{});
+        tiles.draw(sheet(depth, 9));
+        for (core::Renderer* drawn : {&stamps, &tiles}) {
+          for (size_t i : {size_t{0}, drawn->buffer().depth.size() - 1}) {
+            ASSERT_EQ(drawn->buffer().color[4 * i], passes * 9) << f << ' ' << z << ' ' << depth;
+            ASSERT_EQ(drawn->buffer().depth[i], writes ? depth : code) << f << ' ' << z;
+          }
+          drawn->clear();
+          ASSERT_EQ(drawn->buffer().depth[0], code);
+        }
+        seen += static_cast<int>(passes);
+      }
+    }
+  }
+  // Of the 15 comparisons 6 are less, 3 equal, 6 greater; off and always pass all.
+  EXPECT_EQ(seen, 6 + (6 + 3) + 15 + 0 + 3 + 6 + (6 + 6) + (3 + 6) + 15);
+}
+
 // Attributes are interpolated where something is seen, and nowhere else.
 TEST(EarlyDepth, HiddenStampsAreNotInterpolated) {
   core::Renderer renderer(kContract, kSmall);

@@ -48,6 +48,7 @@ spec::FrameState random_frame(Random* r) {
     frame.bias_constant = (*r)(-3000, 3000);
     frame.bias_slope = static_cast<int32_t>((*r)(-2000, 2000));
   }
+  if ((*r)(0, 2) == 0) frame.clear_depth = static_cast<double>((*r)(0, 8)) / 8;
   return frame;
 }
 

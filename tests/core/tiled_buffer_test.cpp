@@ -71,7 +71,7 @@ TEST(TiledBuffer, HoldsWhatRowsHold) {
       write_all(c, &rows);
       write_all(c, &tiles);
       EXPECT_TRUE(same(tiles.by_rows(c), rows)) << tile_log2 << ' ' << size[0];
-      tiles.clear(c);
+      tiles.clear();
       EXPECT_TRUE(same(tiles.by_rows(c), FrameBuffer(c, frame)));
     }
   }
@@ -112,7 +112,7 @@ TEST(TiledBuffer, CopiesSomeRowsOfTiles) {
   tiles.copy_rows(1, 2, &some);
   for (size_t i = 0; i < all.depth.size(); ++i) {
     const bool in = i / 20 >= 8 && i / 20 < 24;
-    ASSERT_EQ(some.depth[i], in ? all.depth[i] : core::cleared_depth(c.design)) << i;
+    ASSERT_EQ(some.depth[i], in ? all.depth[i] : all.clear_depth) << i;
     ASSERT_EQ(some.color[5 * i], in ? all.color[5 * i] : 0) << i;
     ASSERT_EQ(some.hits[i], in ? all.hits[i] : 0) << i;
   }

@@ -1,6 +1,8 @@
 // The right answers of the cases of raster state.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <set>
 
 #include "model/spec/bounds.h"
 #include "studies/truth.h"
@@ -10,6 +12,7 @@
 namespace pineda::hard {
 namespace {
 
+using spec::DepthFunc;
 using test::kContract;
 
 constexpr int64_t kFarCode = (1 << 24) - 1;
@@ -46,7 +49,8 @@ template <class Passes>
 Seen seen(const Snapped& scene, Passes passes) {
   const auto width = static_cast<size_t>(scene.frame.width);
   const size_t samples = width * static_cast<size_t>(scene.frame.height);
-  Seen s{std::vector<int64_t>(samples, kFarCode), std::vector<size_t>(samples, SIZE_MAX)};
+  const auto cleared = static_cast<int64_t>(std::floor(scene.frame.clear_depth * kFarCode + .5));
+  Seen s{std::vector<int64_t>(samples, cleared), std::vector<size_t>(samples, SIZE_MAX)};
   for (size_t i = 0; i < scene.triangles.size(); ++i) {
     const exact::Judge exact = judge(kContract, scene.frame, scene.triangles[i]);
     const int64_t z = (scene.triangles[i].v[0].z + 128) >> 8;
@@ -58,18 +62,13 @@ Seen seen(const Snapped& scene, Passes passes) {
       }
       s.replaced += s.triangle[k] != SIZE_MAX ? 1 : 0;
       s.triangle[k] = i;
-      if (scene.frame.depth_write) s.z[k] = z;
+      if (scene.frame.depth_write && scene.frame.depth != DepthFunc::kOff) s.z[k] = z;
     }
   }
   return s;
 }
 
-template <class Passes>
-void expect_seen(const std::string& name, Passes passes) {
-  const Snapped scene = snapped(name);
-  const Seen wanted = seen(scene, passes);
-  EXPECT_GT(wanted.replaced, 100) << name;
-  EXPECT_GT(wanted.refused, 100) << name;
+void expect_drawn(const Snapped& scene, const Seen& wanted, const std::string& name) {
   const core::Renderer all = drawn(scene);
   for (size_t k = 0; k < wanted.z.size(); ++k) {
     ASSERT_EQ(all.buffer().depth[k], wanted.z[k]) << name << " " << k;
@@ -79,6 +78,15 @@ void expect_seen(const std::string& name, Passes passes) {
           << name << " " << k;
     }
   }
+}
+
+template <class Passes>
+void expect_seen(const std::string& name, Passes passes) {
+  const Snapped scene = snapped(name);
+  const Seen wanted = seen(scene, passes);
+  EXPECT_GT(wanted.replaced, 100) << name;
+  EXPECT_GT(wanted.refused, 100) << name;
+  expect_drawn(scene, wanted, name);
 }
 
 TEST(DepthFunctions, NotequalSeesWhatIsAtAnotherDepth) {
@@ -93,6 +101,45 @@ TEST(DepthFunctions, WithoutWritesTheLastIsSeenAndDepthsStayCleared) {
   expect_seen("depth_write_off", [](int64_t z, int64_t) { return z < kFarCode; });
   const auto depth = drawn(snapped("depth_write_off")).buffer().depth;
   EXPECT_EQ(std::count(depth.begin(), depth.end(), kFarCode), 32 * 32);
+}
+
+TEST(ReversedZ, SeesTheGreatestDepthTheFirstOrTheLastOfEqualOnes) {
+  expect_seen("reversed_z", [](int64_t z, int64_t stored) { return z > stored; });
+  expect_seen("reversed_z_gequal", [](int64_t z, int64_t stored) { return z >= stored; });
+  const auto depth = drawn(snapped("reversed_z")).buffer().depth;
+  EXPECT_GT(std::count(depth.begin(), depth.end(), 0), 10);
+  EXPECT_GT(std::count(depth.begin(), depth.end(), kFarCode), 100);
+}
+
+TEST(ClearDepth, SeesOnlyWhatIsNearer) {
+  expect_seen("clear_depth", [](int64_t z, int64_t stored) { return z < stored; });
+  const auto depth = drawn(snapped("clear_depth")).buffer().depth;
+  EXPECT_GT(std::count(depth.begin(), depth.end(), 12582911), 10);  // of .75
+}
+
+TEST(ClearDepth, EveryFunctionSeesWhatItPassesOnEveryClearedDepth) {
+  using L = int64_t;
+  const std::function<bool(L, L)> passes[] = {std::less<L>(),
+                                              std::less_equal<L>(),
+                                              [](L, L) { return true; },
+                                              [](L, L) { return false; },
+                                              std::equal_to<L>(),
+                                              std::greater<L>(),
+                                              std::not_equal_to<L>(),
+                                              std::greater_equal<L>(),
+                                              [](L, L) { return true; }};
+  Snapped scene = snapped("reversed_z");
+  std::set<std::vector<int64_t>> frames;
+  for (const double depth : {0., .25, .5, 1.}) {
+    scene.frame.clear_depth = depth;
+    for (size_t f = 0; f < std::size(passes); ++f) {
+      scene.frame.depth = static_cast<DepthFunc>(f);
+      const Seen wanted = seen(scene, passes[f]);
+      expect_drawn(scene, wanted, std::to_string(f) + " cleared to " + std::to_string(depth));
+      frames.insert(wanted.z);
+    }
+  }
+  EXPECT_GT(frames.size(), 12u);  // of 36: on a depth at an end many see the same
 }
 
 // In doubles from the floats, which here are exact enough: the codes of the default design.

@@ -147,7 +147,8 @@ std::string state_lines(Random* r, const Canvas& c) {
                                             "greater", "gequal", "equal", "always"};
   std::string text = fmt::format("pineda-tri 1\nsize {} {}\n", c.width, c.height);
   text += fmt::format("cull {}\n", kCulls[r->in(0, 3)]);
-  text += fmt::format("depth {}\n", kDepths[r->in(0, 11)]);
+  const std::string depth = kDepths[r->in(0, 11)];
+  text += fmt::format("depth {}\n", depth);
   text += fmt::format("depthwrite {}\n", one_in(r, 4) ? "off" : "on");
   if (one_in(r, 3)) {
     const int x = r->in(0, c.width / 2);
@@ -160,6 +161,11 @@ std::string state_lines(Random* r, const Canvas& c) {
     const int constant = r->in(-3000, 3000);
     const int slope = one_in(r, 4) ? r->in(-32768, 32767) : r->in(-600, 600);
     text += fmt::format("depthbias {} {}\n", constant, slope / 256.);
+  }
+  if (one_in(r, 2)) {
+    // Reversed z, or a part of what is drawn lies behind.
+    const bool is_reversed = depth == "greater" || depth == "gequal";
+    text += fmt::format("cleardepth {:.9g}\n", is_reversed ? 0 : r->between(.3f, 1));
   }
   text += fmt::format("shade {}\n", one_in(r, 4) ? "flat" : "smooth");
   return text;

@@ -35,6 +35,7 @@ spec::FrameState random_state(vectors::Rng* rng, int width, int height) {
   frame.height = height;
   frame.cull = static_cast<spec::Cull>(rng->between(0, 2));
   frame.depth = static_cast<spec::DepthFunc>(rng->between(0, 2));
+  if (rng->between(0, 2) == 0) frame.clear_depth = static_cast<double>(rng->between(1, 255)) / 256;
   return frame;
 }
 
@@ -42,6 +43,7 @@ spec::FrameState random_raster_state(vectors::Rng* rng, int width, int height,
                                      const spec::Contract& c) {
   spec::FrameState frame = random_state(rng, width, height);
   frame.depth = static_cast<spec::DepthFunc>(rng->between(0, 8));
+  if (rng->between(0, 5) == 0) frame.clear_depth = 0;
   frame.depth_write = rng->between(0, 3) != 0;
   frame.shade = rng->between(0, 3) == 0 ? spec::Shade::kFlat : spec::Shade::kSmooth;
   if (rng->coin()) {

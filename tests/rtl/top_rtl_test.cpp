@@ -1,4 +1,6 @@
 // Whole frames: the top against core at every boundary, the frame protocol, resets.
+#include <algorithm>
+
 #include "tests/rtl/support.h"
 
 namespace pineda::tb {
@@ -73,6 +75,29 @@ TEST_P(TopRtl, CloseUpsSumUpToTheFrame) {
   EXPECT_GT(sum[0][timing::Cause::kBusy], 0);
 }
 
+// The memories are told what to clear depth to, frame by frame, and every depth function compares
+// with that.
+TEST_P(TopRtl, EveryDepthFunctionOnEveryClearedDepth) {
+  vectors::Rng rng(18);
+  FrameBench bench(rtl(), options(GetParam()));
+  for (const double depth : {0., .5, 1., 1 / 3., 1 - 0x1p-24}) {
+    for (int func = 0; func < 9; ++func) {
+      spec::FrameState frame;
+      frame.width = frame.height = 24;
+      frame.depth = static_cast<spec::DepthFunc>(func);
+      frame.clear_depth = depth;
+      EXPECT_EQ(check_frame(&bench, frame, {}), "") << depth;
+      auto triangles = random_triangles(&rng, frame, 30, 40);
+      for (size_t i = 0; i < triangles.size(); i += 2) {  // at the cleared depth and beside it
+        const int64_t code = spec::cleared_depth(rtl().contract().design, frame);
+        const int64_t z = std::clamp<int64_t>(code + rng.between(-1, 1), 0, (1 << 24) - 1);
+        for (auto& v : triangles[i].v) v.z = z << spec::kDepthInputFractionBits;
+      }
+      EXPECT_EQ(check_frame(&bench, frame, triangles), "") << func << " on " << depth;
+    }
+  }
+}
+
 TEST_P(TopRtl, EmptyFrameEnds) {
   FrameBench bench(rtl(), options(GetParam()));
   spec::FrameState frame;
@@ -115,6 +140,16 @@ TEST(TopRtlMutant, IsCaughtAtTheFirstBoundary) {
   const std::string text = check_frame(&bench, frame, triangles);
   EXPECT_EQ(text.substr(0, 10), "RTL setup:") << text;
   EXPECT_NE(text.find("setup_prim.e["), std::string::npos) << text;
+}
+
+// The mutant asks for the greatest code whatever the frame says.
+TEST(TopRtlMutant, AnotherClearedDepthIsSeen) {
+  spec::FrameState frame;
+  frame.width = frame.height = 16;
+  FrameBench bench(mutant(), BenchOptions());
+  EXPECT_EQ(check_frame(&bench, frame, {}), "");
+  frame.clear_depth = .5;
+  EXPECT_EQ(check_frame(&bench, frame, {}), "depth memories differ");
 }
 
 TEST(TopRtlProtocol, RefusesALatencyItCannotKeep) {

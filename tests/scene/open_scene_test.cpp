@@ -44,16 +44,18 @@ TEST(OpenScene, OptionsThatCannotBeHonouredAreRefused) {
   EXPECT_TRUE(is_one_line_with(error_of("a.ptrb", deep), "expected no depth option"));
   EXPECT_TRUE(is_one_line_with(error_of(tri, seen), "expected no camera"));
   EXPECT_TRUE(is_one_line_with(error_of("grid", seen), "expected no camera"));
-  Options cut, unwritten, biased, shaded;
+  Options cut, unwritten, biased, cleared, shaded;
   cut.scissor = Scissor{0, 0, 8, 8};
   unwritten.depth_write = true;
   biased.depth_bias = DepthBias{};
+  cleared.clear_depth = 1;
   shaded.shade = spec::Shade::kSmooth;
   EXPECT_TRUE(is_one_line_with(error_of(tri, cut), "expected no scissor option: the file states"));
   EXPECT_TRUE(is_one_line_with(error_of("-", unwritten), "expected no depth write option"));
   EXPECT_TRUE(is_one_line_with(error_of(tri, biased), "expected no depth bias option"));
+  EXPECT_TRUE(is_one_line_with(error_of("-", cleared), "expected no clear depth option"));
   EXPECT_TRUE(is_one_line_with(error_of("a.ptrb", shaded), "expected no shade option"));
-  for (const Options& own : {sized, culled, deep, cut, unwritten, biased, shaded}) {
+  for (const Options& own : {sized, culled, deep, cut, unwritten, biased, cleared, shaded}) {
     EXPECT_TRUE(is_one_line_with(error_of("hard/fan", own), "option: the case states its own"));
   }
   EXPECT_TRUE(is_one_line_with(error_of("grid", fine), "expected no tessellation"));
@@ -116,14 +118,56 @@ TEST(OpenScene, StateReachesTheScene) {
   options.scissor = Scissor{1, 2, 30, 40};
   options.depth_write = false;
   options.depth_bias = DepthBias{-3, {64, true}};
+  options.clear_depth = .25f;
   options.shade = spec::Shade::kFlat;
   for (const char* name : {"teapot", "triangle", "grid"}) {
     const auto opened = open_scene(kContract, name, options);
     EXPECT_EQ(opened.frame.depth, spec::DepthFunc::kNotequal);
     EXPECT_EQ(unusual_state(opened.frame),
-              "scissor 1,2,30,40 px, depth write off, depth bias -3,0.25, shade flat");
+              "scissor 1,2,30,40 px, depth write off, depth bias -3,0.25, clear depth 0.25, shade "
+              "flat");
     EXPECT_EQ(opened.source->counters().rounded_slope, 1u) << name;
   }
+}
+
+// A note where no sample of a cleared frame can pass, or only those at one end; none where some
+// can.
+TEST(OpenScene, DepthFunctionsThatNothingPassesAreSaid) {
+  using spec::DepthFunc;
+  const auto said = [](DepthFunc func, double depth, const spec::Design& design) {
+    spec::FrameState frame;
+    frame.depth = func;
+    frame.clear_depth = depth;
+    std::string all;
+    for (const auto& note : notes(design, frame, {})) all += note + "\n";
+    return all;
+  };
+  const spec::Design& d = kContract.design;
+  EXPECT_EQ(said(DepthFunc::kGreater, 1, d),
+            "depth greater: nothing is greater than what depth is cleared to; cleardepth 0 or "
+            "--clear-depth 0 clears it to the nearest\n");
+  EXPECT_NE(said(DepthFunc::kGequal, 1, d).find("depth gequal: only samples at the far end"),
+            std::string::npos);
+  EXPECT_NE(said(DepthFunc::kLess, 0, d).find("depth less: nothing is less"), std::string::npos);
+  EXPECT_NE(said(DepthFunc::kLequal, 0, d).find("depth lequal: only samples at the near end"),
+            std::string::npos);
+  // Codes decide: this depth is next to 1, but of 16 bits it is the greatest code.
+  spec::Design coarse = d;
+  coarse.depth_bits = 16;
+  EXPECT_NE(said(DepthFunc::kGreater, 1 - 0x1p-20, coarse), "");
+  EXPECT_EQ(said(DepthFunc::kGreater, 1 - 0x1p-20, d), "");
+  for (int f = 0; f < 9; ++f) {
+    const auto func = static_cast<DepthFunc>(f);
+    for (const double depth : {0., .5, 1.}) {
+      const bool is_never = func == DepthFunc::kNever;
+      const bool at_far_end = func == DepthFunc::kGreater || func == DepthFunc::kGequal;
+      const bool at_near_end = func == DepthFunc::kLess || func == DepthFunc::kLequal;
+      const bool is_said = is_never || (at_far_end && depth == 1) || (at_near_end && depth == 0);
+      EXPECT_EQ(said(func, depth, d).empty(), !is_said) << f << " on " << depth;
+    }
+  }
+  const spec::Design* flat = spec::find_design("flat");
+  EXPECT_EQ(said(DepthFunc::kGreater, 1, *flat).find("depth greater"), std::string::npos);
 }
 
 TEST(OpenScene, WhatADesignDoesNotDrawIsSaid) {

@@ -72,7 +72,7 @@ const std::vector<Refusal> kRefusals = {
      ":6: expected state lines before the first v"},
     {"UnknownKeyword", scene("size 8 8\ncolour red\n"),
      ":3: expected size, cull, depth, "
-     "scissor, depthwrite, depthbias, shade, or v"},
+     "scissor, depthwrite, depthbias, cleardepth, shade, or v"},
     {"UnknownKeywordAfterVertex", scene("size 8 8\n", kTriangle + "triangle\n"),
      ":6: expected a vertex 'v X Y Z W R G B A'"},
     {"ScissorTwice", state("scissor 0 0 4 4\nscissor 0 0 4 4"),
@@ -99,6 +99,16 @@ const std::vector<Refusal> kRefusals = {
     {"BiasSlopeNan", state("depthbias 0 nan"), ":3: expected a slope factor"},
     {"BiasSlopeInfinite", state("depthbias 0 -inf"), ":3: expected a slope factor"},
     {"BiasSlopeNoNumber", state("depthbias 0 1,5"), ":3: expected a slope factor"},
+    {"ClearDepthOfTwo", state("cleardepth 0 1"), ":3: expected 2 words 'cleardepth Z', got 3"},
+    {"ClearDepthTwice", state("cleardepth 0\ncleardepth 0"), ":4: expected each state line once"},
+    {"ClearDepthTooGreat", state("cleardepth 1.0000001"),
+     ":3: expected a clear depth from 0 to 1, got '1.0000001'"},
+    {"ClearDepthNegative", state("cleardepth -1e-30"), ":3: expected a clear depth from 0 to 1"},
+    {"ClearDepthNan", state("cleardepth nan"), ":3: expected a clear depth from 0 to 1"},
+    {"ClearDepthInfinite", state("cleardepth inf"), ":3: expected a clear depth from 0 to 1"},
+    {"ClearDepthNoNumber", state("cleardepth 0x"), ":3: expected a clear depth from 0 to 1"},
+    {"ClearDepthAfterVertex", scene("size 8 8\n", kTriangle + "cleardepth 0\n"),
+     ":6: expected state lines before the first v"},
     {"ShadeUnknown", state("shade gouraud"), ":3: expected shade smooth or flat"},
     {"ShadeTwice", state("shade flat\nshade smooth"), ":4: expected each state line once"},
     {"ShadeAfterVertex", scene("size 8 8\n", kTriangle + "shade flat\n"),
@@ -260,6 +270,25 @@ TEST(TriReader, ReadsTheWholeState) {
   EXPECT_EQ(unusual_state(opened.frame),
             "scissor 1,2,3,4 px, depth write off, depth bias -16777215,-1.5, shade flat");
   EXPECT_EQ(unusual_state(open_text(scratch, state("depth off")).frame), "");
+}
+
+TEST(TriReader, ClearDepthIsABinary32InAnyFormOfStrtof) {
+  const Scratch scratch;
+  const auto depth = [&](const std::string& z) {
+    const auto opened = open_text(scratch, state("cleardepth " + z));
+    opened.source->rewind();
+    return opened.frame.clear_depth;
+  };
+  EXPECT_EQ(depth("0x.8p0"), .5);
+  EXPECT_EQ(depth("1e0"), 1);
+  EXPECT_EQ(depth("1.00000001"), 1);  // the binary32 is 1
+  EXPECT_EQ(depth("0.1"), 0.1f);
+  EXPECT_EQ(depth("1e-99"), 0);  // underflow is taken
+  EXPECT_FALSE(std::signbit(depth("-0")));
+  EXPECT_EQ(unusual_state(open_text(scratch, state("cleardepth 0.1")).frame), "clear depth 0.1");
+  EXPECT_EQ(unusual_state(open_text(scratch, state("cleardepth 0")).frame), "clear depth 0");
+  EXPECT_EQ(unusual_state(open_text(scratch, state("cleardepth 1")).frame), "");
+  EXPECT_EQ(open_text(scratch, state("cull none")).frame.clear_depth, 1);
 }
 
 TEST(TriReader, AScissorBeyondTheFrameIsClipped) {

@@ -62,6 +62,23 @@ TEST(Writers, DepthPictureIsBrightWhereNearAndBlackWhereCleared) {
             (std::vector<uint8_t>{255, 0, 148, 40, 148, 255}));
 }
 
+TEST(Writers, DepthPictureOfReversedZIsBrightWhereTheCodeIsGreat) {
+  const Scratch scratch;
+  auto frame = small_frame();
+  frame.clear_depth = 0;
+  frame.depth = {100, 0, 200, 300, 200, 100};
+  write_depth_png(scratch.path("reversed.png"), frame);
+  EXPECT_EQ(pixels_of(scratch.path("reversed.png"), PNG_FORMAT_GRAY),
+            (std::vector<uint8_t>{40, 0, 148, 255, 148, 40}));
+  frame.clear_depth = 200;  // on both sides of it
+  write_depth_png(scratch.path("middle.png"), frame);
+  EXPECT_EQ(pixels_of(scratch.path("middle.png"), PNG_FORMAT_GRAY),
+            (std::vector<uint8_t>{184, 255, 0, 40, 0, 184}));
+  frame.depth.assign(6, 200);
+  write_depth_png(scratch.path("none.png"), frame);
+  EXPECT_EQ(pixels_of(scratch.path("none.png"), PNG_FORMAT_GRAY), std::vector<uint8_t>(6));
+}
+
 TEST(Writers, DepthPictureOfOneDepthOrNoneIsWhiteOrBlack) {
   const Scratch scratch;
   auto frame = small_frame();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/spec/clear_depth.h"
 #include "studies/random_triangles.h"
 #include "tests/studies/small_scenes.h"
 
@@ -63,6 +64,25 @@ TEST(SceneJudge, ScissorFlatShadingAndUnwrittenDepthAreTheFrames) {
   EXPECT_EQ(j.missing + j.extra, 0u);
   EXPECT_EQ(j.other_winner, 0u);
   EXPECT_EQ(j.max_color_lsb, 0);
+}
+
+// A scene states a depth, each design has its own code of it.
+TEST(SceneJudge, EachDesignClearsToItsOwnCode) {
+  for (const float z : {0.f, .3f, .5f, 1.f}) {
+    for (const auto func : {spec::DepthFunc::kLequal, spec::DepthFunc::kGreater}) {
+      spec::FrameState frame = frame_of(32, 32);
+      frame.depth = func;
+      frame.clear_depth = z;
+      const scene::Scene scene = scene_of(
+          {half_square(0, 0, 30, z, kRed), half_square(2, 0, 28, (z + 1) / 2, kBlue)}, frame);
+      for (const int bits : {16, 24, 32}) {
+        spec::Design d = spec::kHighTile;
+        d.depth_bits = bits;
+        EXPECT_EQ(judged(scene, d).other_winner, 0u) << z << ", " << bits << " bits";
+        EXPECT_EQ(VisibleFrame(d, frame).z(0), spec::depth_code(z, bits));
+      }
+    }
+  }
 }
 
 TEST(SceneJudge, SeesPositionsBeyondTheGuardBand) {

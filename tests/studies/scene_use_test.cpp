@@ -48,6 +48,31 @@ TEST(SceneUse, CountsOverlapAndTheLeastGap) {
   EXPECT_EQ(winners[15], 0u);
 }
 
+// Reversed z, and a triangle that lies where depth is cleared to: equal to it, however depths are
+// snapped.
+TEST(SceneUse, DepthsAreComparedWithWhatTheFrameIsClearedTo) {
+  const auto winner = [](spec::DepthFunc func, float clear, std::vector<float> depths) {
+    spec::FrameState frame = frame_of(16, 8);
+    frame.depth = func;
+    frame.clear_depth = clear;
+    std::vector<scene::ScreenTriangle> triangles;
+    for (const float z : depths) triangles.push_back(half_square(0, 0, 8, z, kRed));
+    Winners winners;
+    use_of(scene_of(std::move(triangles), frame), &winners);
+    return winners[0];
+  };
+  using spec::DepthFunc;
+  EXPECT_EQ(winner(DepthFunc::kGreater, 0, {.25f, .75f, .5f}), 2u);
+  EXPECT_EQ(winner(DepthFunc::kGreater, 1, {.25f, .75f, .5f}), 0u);
+  for (const float z : {.5f, .1f, .3f, 1 / 3.f, 0.f, 1.f}) {
+    EXPECT_EQ(winner(DepthFunc::kLess, z, {z}), 0u) << z;
+    EXPECT_EQ(winner(DepthFunc::kGreater, z, {z}), 0u) << z;
+    EXPECT_EQ(winner(DepthFunc::kEqual, z, {z}), 1u) << z;
+    EXPECT_EQ(winner(DepthFunc::kLequal, z, {z}), 1u) << z;
+    EXPECT_EQ(winner(DepthFunc::kGequal, z, {z}), 1u) << z;
+  }
+}
+
 TEST(SceneUse, EqualDepthsAreNoGapAndTheFirstStays) {
   scene::ScreenTriangle tilted = half_square(0, 0, 31, .1f, kRed);
   tilted.v[1].z = .7f;

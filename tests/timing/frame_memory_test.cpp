@@ -80,6 +80,15 @@ TEST_F(ForeignInitiator, ReadsWhatIsThereAfterTheLatency) {
   EXPECT_EQ(memory_.buffer().depth[3], 0x030201u);  // lane 1 of stamp 1
 }
 
+TEST_F(ForeignInitiator, ReadsWhatTheFrameIsClearedTo) {
+  spec::FrameState frame{8, 8};
+  frame.clear_depth = 1 / 3.;
+  memory_.begin_frame(frame);
+  read(0, 8, 100);
+  EXPECT_EQ(bytes_, (std::vector<unsigned char>{0x55, 0x55, 0x55, 0, 0x55, 0x55, 0x55, 0}));
+  EXPECT_EQ(memory_.buffer().depth[63], 0x555555u);
+}
+
 // Bytes 8 .. 39 lie in three stamps, which are read in three cycles.
 TEST_F(ForeignInitiator, RangeIsAccessedStampByStamp) { EXPECT_EQ(read(8, 32, 0), ns(10)); }
 
@@ -316,6 +325,7 @@ TEST(RasterMemory, TargetThatWaitsIsWaitedFor) {
   platform.scene = random_scene(Kind::kMedium, 8, 30);
   platform.scene.frame.depth = spec::DepthFunc::kLess;
   platform.scene.frame.depth_write = true;
+  platform.scene.frame.clear_depth = 1;  // as that memory starts
   sc_core::sc_start();
   core::Renderer renderer(kContract, platform.scene.frame);
   for (const spec::Triangle& t : platform.scene.triangles) renderer.draw(t);

@@ -51,6 +51,25 @@ TEST_F(OneTile, AFrameStartsClear) {
   EXPECT_FALSE(z_.hides(100, 0, 0, 4095));
 }
 
+// Of .5 the top twelve bits of 24: what lies behind them is hidden before anything is drawn, and
+// what is written afterwards counts as ever.
+TEST_F(OneTile, AFrameHidesWhatLiesBehindItsClearedDepth) {
+  spec::FrameState frame{8, 8, spec::Cull::kNone, spec::DepthFunc::kLess};
+  frame.clear_depth = .5;
+  z_.begin_frame(frame);
+  EXPECT_FALSE(z_.hides(0, 0, 0, 2048));
+  EXPECT_TRUE(z_.hides(0, 0, 0, 2049));
+  z_.update(1, {0, 0, 100});  // fifteen stamps are still clear
+  EXPECT_FALSE(z_.hides(10, 0, 0, 2048));
+  EXPECT_TRUE(z_.hides(10, 0, 0, 2049));
+  fill(11, 100);
+  EXPECT_TRUE(z_.hides(40, 0, 0, 101));
+  frame.clear_depth = 0;
+  z_.begin_frame(frame);
+  EXPECT_FALSE(z_.hides(0, 0, 0, 0));
+  EXPECT_TRUE(z_.hides(0, 0, 0, 1));
+}
+
 TEST_F(OneTile, StampsOutsideTheFrameHideNothing) {
   z_.begin_frame({3, 1, spec::Cull::kNone, spec::DepthFunc::kLess});
   z_.update(0, {0, 0, 7});

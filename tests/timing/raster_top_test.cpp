@@ -196,6 +196,33 @@ TEST_P(RasterTopScenes, FrameDoesNotDependOnTheFramesBefore) {
             again.of(Unit::kInterpZtest)[Cause::kHazard]);
 }
 
+// Frames of one size after each other, whose memory is kept: with a listener, without one, and with
+// nothing but time, where depths are cleared as they are wanted.
+TEST_F(RasterTopTiming, EachFrameIsClearedToItsOwnDepth) {
+  timing::RasterTop& top = top_;
+  int passed = 0;
+  for (const double depth : {1., .5, 0., .5, .25, 1.}) {
+    for (const auto func : {spec::DepthFunc::kLess, spec::DepthFunc::kGreater}) {
+      Scene scene = random_scene(Kind::kMedium, 9, 30);
+      scene.frame = {60, 50, spec::Cull::kNone, func};
+      scene.frame.clear_depth = depth;
+      core::Renderer renderer(kContract, scene.frame);
+      for (const spec::Triangle& t : scene.triangles) renderer.draw(t);
+      const core::FrameBuffer& wanted = renderer.buffer();
+      passed += renderer.counters().passed > 0 ? 1 : 0;
+      top.set_bits(true);
+      const auto direct = top.run(scene.frame, scene.triangles);
+      EXPECT_EQ(top.buffer().depth, wanted.depth) << depth;
+      EXPECT_EQ(top.buffer().color, wanted.color) << depth;
+      EXPECT_EQ(run(scene).cycles, direct.cycles);
+      EXPECT_EQ(top.buffer().depth, wanted.depth) << depth;
+      top.set_bits(false);
+      EXPECT_EQ(top.run(scene.frame, scene.triangles).cycles, direct.cycles) << depth;
+    }
+  }
+  EXPECT_EQ(passed, 9);  // greater than the greatest, less than 0: nothing
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, RasterTopScenes, testing::ValuesIn(kKinds),
                          [](const auto& p) { return kind_name(p.param); });
 

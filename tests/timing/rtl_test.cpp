@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "model/scene/scene.h"
+#include "model/spec/clear_depth.h"
 #include "model/spec/design_file.h"
 #include "model/timing/counter_list.h"
 #include "tb/frame_bench.h"
@@ -182,6 +183,42 @@ TEST_P(RtlDesigns, EqualAtEveryLatencyUnderEveryStall) {
   EXPECT_EQ(comparison.counted("interp_ztest.hazard") > 0, close);
 }
 
+// Cleared depths for each depth function. Every third triangle lies at the cleared depth.
+std::vector<Scene> cleared_scenes() {
+  std::vector<Scene> all;
+  for (const double depth : {0., .5, 1.}) {
+    for (int func = 0; func < 9; ++func) {
+      Scene scene = random_scene(Kind::kMedium, all.size(), 24);
+      scene.frame.width = 70;
+      scene.frame.depth = static_cast<spec::DepthFunc>(func);
+      scene.frame.clear_depth = depth;
+      for (size_t i = 0; i < scene.triangles.size(); i += 3) {
+        for (auto& v : scene.triangles[i].v) {
+          v.z = int64_t{spec::cleared_depth(spec::kHighTile, scene.frame)} << 8;
+        }
+      }
+      all.push_back(scene);
+    }
+  }
+  return all;
+}
+
+TEST(RtlClearDepth, EqualInEveryDepthFunctionUnderEveryStall) {
+  Comparison comparison;
+  for (const tb::StallMode mode : tb::kStallModes) {
+    tb::BenchOptions options;
+    options.stall_mode = mode;
+    options.seed = 5;
+    for (const Scene& scene : cleared_scenes()) {
+      ASSERT_EQ(comparison.run(scene, options), "")
+          << static_cast<int>(scene.frame.depth) << " on " << scene.frame.clear_depth;
+    }
+  }
+  EXPECT_TRUE(comparison.same_frame());
+  EXPECT_GT(comparison.counted("samples_passed"), 1000);
+  EXPECT_GT(comparison.counted("samples_failed"), 1000);
+}
+
 // The end of a frame is taken in the cycle in which the model says that the pipeline has drained,
 // and the next frame is offered in the one after.
 TEST(RtlFrames, DrainedCyclesPlaceTheNextFrame) {
@@ -296,6 +333,38 @@ TEST_F(Hidden, CyclesAndTokensAreEqualAtEveryLatencyUnderEveryStall) {
   EXPECT_GT(comparison_.hidden(), 1000u);
 }
 
+// Cleared to the middle, tiles behind it are hidden from the start; with the functions of reversed
+// z none is. The frames are those of the design without it.
+TEST_F(Hidden, EqualOnEveryClearedDepthInEveryDepthFunctionUnderEveryStall) {
+  for (const tb::StallMode mode : tb::kStallModes) {
+    tb::BenchOptions options;
+    options.stall_mode = mode;
+    options.seed = 6;
+    std::vector<Scene> scenes = cleared_scenes();
+    for (const auto func : {spec::DepthFunc::kLess, spec::DepthFunc::kGreater}) {
+      for (const double depth : {0., .3, .7}) {
+        scenes.push_back(layers(93, 61));
+        scenes.back().frame.depth = func;
+        scenes.back().frame.clear_depth = depth;
+      }
+    }
+    for (const Scene& scene : scenes) {
+      const uint64_t before = comparison_.hidden();
+      ASSERT_EQ(comparison_.run(scene, options), "")
+          << static_cast<int>(scene.frame.depth) << " on " << scene.frame.clear_depth;
+      if (scene.frame.depth > spec::DepthFunc::kLequal) {
+        EXPECT_EQ(comparison_.hidden(), before);
+      }
+      core::Renderer renderer(kContract, scene.frame);
+      for (const spec::Triangle& t : scene.triangles) renderer.draw(t);
+      EXPECT_EQ(comparison_.last().depth, renderer.buffer().depth);
+      EXPECT_EQ(comparison_.last().color, renderer.buffer().color);
+    }
+  }
+  EXPECT_TRUE(comparison_.same_frame());
+  EXPECT_GT(comparison_.hidden(), 1000u);
+}
+
 // The frame is that of the design without it, and fewer stamps are sent.
 TEST_F(Hidden, LeavesTheSameFrameAndSendsFewerStamps) {
   const Scene scene = layers(60, 40);
@@ -327,6 +396,25 @@ TEST(HiddenMutant, LongerDelayInTheModelIsNoticed) {
   bench.run(scene.frame, pull_from(scene), &bench_recorder);
   top.run(scene.frame, pull_from(scene), &model_recorder);
   EXPECT_LT(expected.stamps.size(), got.stamps.size());
+}
+
+// A model that takes every frame as cleared to the greatest depth is noticed: a tile behind what
+// the frame is cleared to.
+TEST(HiddenMutant, GreatestClearedDepthInTheModelIsNoticed) {
+  const tb::RtlLibrary library(hidden_contract(), PINEDA_RASTER_PLUGINS "/hidden.so");
+  tb::FrameBench bench(library, {});
+  timing::RasterTop top("top", hidden_contract());
+  Scene scene{{8, 8}, {flat_triangle(-1, -1, 40, -1, -1, 40, 3 << 22)}};
+  scene.frame.clear_depth = .5;
+  Record expected;
+  Record got;
+  BenchRecorder bench_recorder(&expected);
+  ModelRecorder model_recorder(&got);
+  bench.run(scene.frame, pull_from(scene), &bench_recorder);
+  scene.frame.clear_depth = 1;
+  top.run(scene.frame, pull_from(scene), &model_recorder);
+  EXPECT_EQ(expected.stamps.size(), 0u);
+  EXPECT_EQ(got.stamps.size(), 16u);
 }
 
 }  // namespace

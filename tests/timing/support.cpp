@@ -84,6 +84,7 @@ void randomize_state(Random* random, spec::FrameState* frame) {
     frame->scissor_y1 = static_cast<int>(random->in(frame->height / 2, frame->height));
   }
   if (random->in(0, 1) == 0) frame->bias_slope = static_cast<int32_t>(random->in(-600, 600));
+  if (random->in(0, 2) == 0) frame->clear_depth = static_cast<double>(random->in(0, 4)) / 4;
 }
 
 // From the formats of the default design to those of another; 1/w of any ratio.

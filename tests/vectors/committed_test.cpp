@@ -73,7 +73,7 @@ TYPED_TEST(Committed, HoldsTheHardCasesOfEveryUnit) {
         "tile_corner",    "tile_border",     "needle",          "micro",        "cull",
         "value_extremes", "format_extremes", "coplanar",        "equal_depth",  "depth_limits",
         "back_to_back",   "alternating",     "intersecting",    "depth_off",    "depth_function",
-        "scissor",        "depth_bias",      "flat_shading"}) {
+        "scissor",        "depth_bias",      "flat_shading",    "clear_depth"}) {
     EXPECT_EQ(present.count(name), 1u) << name;
   }
 }

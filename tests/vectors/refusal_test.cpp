@@ -179,6 +179,20 @@ TEST_F(Refusal, StateThatMeansNothing) {
   expect_refusal(with("frame 0007 0006 0 9"), number, "depth 0 to 8");
 }
 
+// Behind the frame's line; the greatest code is not written, so that a case has one form.
+TEST_F(Refusal, ClearDepthThatIsNone) {
+  const int number = line_of(setup_, "\nframe") + 2;
+  const std::string frame = line(setup_, number - 1);
+  const auto with = [&](const char* text) {
+    return refusal<SetupCase>(changed(setup_, frame + "\n", frame + "\n" + text + "\n"));
+  };
+  expect_refusal(with("clear_depth ffffff"), number, "a code less than the greatest");
+  expect_refusal(with("clear_depth 000000 1"), number, "a code less than the greatest");
+  expect_refusal(with("clear_depth 00000"), number, "6 hex digits of clear_depth, got '00000'");
+  expect_refusal(with("clear_depth"), number, "clear_depth");
+  expect_refusal(with("clear_depth 000000"), 8, "the hash");  // well formed
+}
+
 TEST_F(Refusal, FrameTooLargeForMemory) {
   expect_refusal(refusal<FrameCase>(changed(frame_, "0007 0006", "4000 4000")),
                  line_of(frame_, "\nframe") + 1, "at most 65536 samples, got 268435456");

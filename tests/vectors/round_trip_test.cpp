@@ -32,6 +32,19 @@ TYPED_TEST(RoundTrip, ReadingBackGivesTheSameBytes) {
             std::nullopt);
 }
 
+TYPED_TEST(RoundTrip, ClearedDepthIsALineWhereItIsNotTheGreatest) {
+  File<TypeParam> file = sample_file<TypeParam>();
+  const std::string plain = write_text(file);
+  EXPECT_EQ(plain.find("clear_depth"), std::string::npos);
+  file.cases[0].frame.clear_depth = 1 / 3.f;
+  const std::string text = write_text(file);
+  EXPECT_NE(text.find("\nclear_depth 555555\n"), std::string::npos);
+  const auto read = read_text<TypeParam>("memory", text);
+  EXPECT_EQ(write_text(read), text);
+  EXPECT_EQ(spec::cleared_depth(kContract.design, read.cases[0].frame), 0x555555u);
+  EXPECT_EQ(read.cases[1].frame.clear_depth, 1);
+}
+
 TYPED_TEST(RoundTrip, FileIsWrittenWholeAndNothingBesideIt) {
   const std::string path = this->folder_ + "/a.txt";
   write(path, sample_file<TypeParam>());
