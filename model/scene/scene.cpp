@@ -120,7 +120,7 @@ Scene open_ptrb(const spec::Contract& contract, const std::string& path, const O
   return snapped(contract, name, frame, std::move(reader));
 }
 
-Scene open_mesh(const spec::Contract& contract, const std::string& name, const Mesh& mesh,
+Scene open_mesh(const spec::Contract& contract, const std::string& name, Mesh mesh,
                 const Options& options) {
   const auto frame = frame_of(contract, name, options, Size{});
   View view;
@@ -130,10 +130,12 @@ Scene open_mesh(const spec::Contract& contract, const std::string& name, const M
   } catch (const std::invalid_argument& error) {
     throw InputError(name, error.what());
   }
-  return snapped(contract, std::filesystem::path(name).stem().string(), frame,
-                 std::make_unique<MeshReader>(mesh, view, frame.width, frame.height,
-                                              contract.design.guard_bits),
-                 rounded_slope(options));
+  const auto seen = std::make_shared<const ClipMesh>(clip_mesh(std::move(mesh), view));
+  Scene scene =
+      snapped(contract, std::filesystem::path(name).stem().string(), frame,
+              std::make_unique<MeshReader>(seen, frame, contract), rounded_slope(options));
+  scene.mesh = seen;
+  return scene;
 }
 
 using MeshFileReader = Mesh (*)(const std::string& file, std::vector<std::string>* warnings);
@@ -149,8 +151,7 @@ MeshFileReader mesh_file_reader(const std::string& ending) {
 Scene open_mesh_file(const spec::Contract& contract, const std::string& path,
                      const Options& options, MeshFileReader read) {
   std::vector<std::string> warnings;
-  const Mesh mesh = read(path, &warnings);
-  Scene scene = open_mesh(contract, path, mesh, options);
+  Scene scene = open_mesh(contract, path, read(path, &warnings), options);
   scene.warnings = std::move(warnings);
   return scene;
 }

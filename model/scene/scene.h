@@ -9,6 +9,7 @@
 
 #include "model/scene/camera.h"
 #include "model/scene/error.h"
+#include "model/scene/mesh_reader.h"
 #include "model/scene/snap.h"
 #include "model/scene/state.h"
 
@@ -49,7 +50,8 @@ struct Scene {
   std::string name;
   spec::FrameState frame;
   std::unique_ptr<SnappedSource> source;
-  std::vector<std::string> warnings;  // found while opening, one line each
+  std::shared_ptr<const ClipMesh> mesh;  // what source draws, before clipping; null: no mesh
+  std::vector<std::string> warnings;     // found while opening, one line each
 };
 
 /// In       a path that ends in .tri, .ptrb, .obj, .ply, .gltf or .glb; "-" for a .ptrb on standard
