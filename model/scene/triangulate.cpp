@@ -27,16 +27,15 @@ struct Near {
 Near near_normal(const std::vector<Vec3>& corner) {
   Near near;
   Vec3 magnitude{};
-  Vec3 a = corner[1] - corner[0];
-  for (size_t i = 2; i < corner.size(); ++i) {
-    const Vec3 b = corner[i] - corner[0];
+  for (size_t i = 1; i + 1 < corner.size(); ++i) {
+    // As small as can be: an edge, not two long vectors that are nearly the same.
+    const Vec3 a = corner[i] - corner[0], b = corner[i + 1] - corner[i];
     for (size_t k = 0; k < 3; ++k) {
       const size_t x = (k + 1) % 3, y = (k + 2) % 3;
       const double left = a[x] * b[y], right = a[y] * b[x];
       near.value[k] += left - right;
       magnitude[k] += std::abs(left) + std::abs(right);
     }
-    a = b;
   }
   // A term is off by half an epsilon for each factor, the product and the difference, and a sum by
   // half of one for each term; the rest is for the roundings of the magnitude itself.

@@ -132,7 +132,7 @@ TEST(Partition, SnappedConvexPolygonsAreCoveredOnceWhateverSnappingDidToThem) {
     }
   }
   EXPECT_GT(bent, 500);
-  EXPECT_GT(inside, 10000);
+  EXPECT_GT(inside, 5000);
 }
 
 }  // namespace
