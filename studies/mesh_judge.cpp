@@ -190,8 +190,9 @@ std::string MeshJudge::wrong_value(const Face& face, const MeshHit& hit) const {
       return std::clamp(biased, 0., greatest);
     };
     const exact::Range range = values.depth(hit.x, hit.y);
-    const double low = code(range.low) - bounds_.depth_ulp;
-    const double high = code(range.high) + bounds_.depth_ulp;
+    // A corner's depth is a binary32 number, below 1 within 2^-25.
+    const double bound = bounds_.depth_ulp + std::ldexp(greatest, -25);
+    const double low = code(range.low) - bound, high = code(range.high) + bound;
     if (!(hit.z >= low && hit.z <= high)) {
       return fmt::format("depth: {}, expected {:.1f} to {:.1f}", hit.z, low, high);
     }
