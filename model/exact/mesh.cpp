@@ -1,93 +1,16 @@
 #include "model/exact/mesh.h"
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
+#include "model/exact/lines.h"
+
 namespace exact {
 
 namespace {
-
-using Integer = boost::multiprecision::cpp_int;
-
-/// A number and the sum of the magnitudes that it was made of: it is off by less than
-/// kErrorOfMagnitude of that, after the few dozen roundings that an edge function takes.
-struct Approximate {
-  long double value = 0;
-  long double magnitude = 0;
-
-  Approximate() = default;
-  Approximate(long double v) : value(v), magnitude(std::abs(v)) {}  // NOLINT: a number is one
-  Approximate(long double v, long double m) : value(v), magnitude(m) {}
-};
-constexpr long double kErrorOfMagnitude = 64 * std::numeric_limits<long double>::epsilon();
-
-Approximate operator+(const Approximate& a, const Approximate& b) {
-  return {a.value + b.value, a.magnitude + b.magnitude};
-}
-Approximate operator-(const Approximate& a, const Approximate& b) {
-  return {a.value - b.value, a.magnitude + b.magnitude};
-}
-Approximate operator*(const Approximate& a, const Approximate& b) {
-  return {a.value * b.value, a.magnitude * b.magnitude};
-}
-Approximate magnitude_of(const Approximate& a) { return {std::abs(a.value), a.magnitude}; }
-Integer magnitude_of(const Integer& a) { return abs(a); }
-
-/// Does the error bound tell the sign?
-bool is_certain(const Approximate& a) {
-  return std::abs(a.value) >= kErrorOfMagnitude * a.magnitude;
-}
-int sign_of(const Approximate& a) { return (a.value > 0 ? 1 : 0) - (a.value < 0 ? 1 : 0); }
-int sign_of(const Integer& a) { return a.sign(); }
-
-template <class T>
-struct Corner {
-  T x, y, z, w;
-};
-
-template <class T>
-using Vector = std::array<T, 3>;  // x, y, w
-
-template <class T>
-Vector<T> cross(const Corner<T>& p, const Corner<T>& q) {
-  return {p.y * q.w - p.w * q.y, p.w * q.x - p.x * q.w, p.x * q.y - p.y * q.x};
-}
-
-template <class T>
-T dot(const Vector<T>& n, const Corner<T>& p) {
-  return n[0] * p.x + n[1] * p.y + n[2] * p.w;
-}
-
-template <class T>
-T determinant(const Corner<T>& p, const Corner<T>& q, const Corner<T>& r) {
-  return dot(cross(q, r), p);
-}
-
-/// a*x + b*y + c at the sample of pixel (x, y), and the band around its zeros; all times a positive
-/// number.
-template <class T>
-struct Line {
-  T a, b, c, band;
-};
-
-// n . (ray of the sample), times width, height and the denominator of a band.
-template <class T>
-Line<T> line_of(const Vector<T>& n, const MeshFrame& f) {
-  const T scale(1 << MeshFrame::kBandFractionBits);
-  const T w(f.width), h(f.height);
-  Line<T> line;
-  const T a = T(2) * h * n[0];
-  const T b = T(-2) * w * n[1];
-  line.a = scale * a;
-  line.b = scale * b;
-  line.c = scale * (n[0] * h * T(1 - f.width) + n[1] * w * T(f.height - 1) + n[2] * w * h);
-  line.band = T(f.band) * (magnitude_of(a) + magnitude_of(b));
-  return line;
-}
 
 // The number without its power of two 2^least.
 Integer scaled(double value, int least) {
@@ -198,6 +121,7 @@ struct FaceJudge::Planes {
       lines->pieces.push_back(determinant(c[0], c[i], c[i + 1]));
       lines->area = lines->area + lines->pieces.back();
     }
+    widen(&lines->area, lines->pieces.size());
   }
 
   // Where the ray hits the face's plane: in front of the eye, and beyond the planes of depth.
@@ -386,80 +310,6 @@ void FaceJudge::polygon_row(int y, std::vector<int8_t>* hits) const {
       }
     }
   }
-}
-
-bool is_plane(const std::vector<ClipCorner>& corners) {
-  using Point = Vector<long double>;
-  Point origin{corners[0].x, corners[0].y, corners[0].w}, normal{};
-  long double greatest = 0;
-  const auto from_origin = [&](const ClipCorner& c) {
-    return Corner<long double>{c.x - origin[0], c.y - origin[1], 0, c.w - origin[2]};
-  };
-  for (size_t i = 0; i < corners.size(); ++i) {
-    const ClipCorner& c = corners[i];
-    greatest = std::max({greatest, std::abs<long double>(c.x), std::abs<long double>(c.y),
-                         std::abs<long double>(c.w)});
-    const auto n = cross(from_origin(c), from_origin(corners[(i + 1) % corners.size()]));
-    for (size_t k = 0; k < normal.size(); ++k) normal[k] += n[k];
-  }
-  const long double length = std::hypot(normal[0], normal[1], normal[2]);
-  return std::all_of(corners.begin(), corners.end(), [&](const ClipCorner& c) {
-    return std::abs(dot(normal, from_origin(c))) <= std::ldexp(length * greatest, -22);
-  });
-}
-
-FaceValues::FaceValues(const std::array<ClipCorner, 3>& corner, const MeshFrame& frame)
-    : corner_(corner),
-      band_(std::ldexp(static_cast<long double>(frame.band), -MeshFrame::kBandFractionBits)) {
-  const long double w = frame.width, h = frame.height;
-  const auto point = [&](size_t i) {
-    const ClipCorner& c = corner[i % 3];
-    return Corner<long double>{c.x, c.y, c.z, c.w};
-  };
-  area_ = determinant(point(0), point(1), point(2));
-  for (size_t i = 0; i < 3; ++i) {
-    const auto n = cross(point(i + 1), point(i + 2));
-    weight_[i] = {2 * n[0] / w, -2 * n[1] / h, n[0] * (1 - w) / w + n[1] * (h - 1) / h + n[2]};
-  }
-}
-
-Range FaceValues::depth(int x, int y) const {
-  Row sum{};
-  bool is_in_front = true;
-  double least = std::numeric_limits<double>::infinity(), greatest = -least;
-  for (size_t i = 0; i < 3; ++i) {
-    for (size_t k = 0; k < sum.size(); ++k) sum[k] += weight_[i][k] * corner_[i].z;
-    is_in_front = is_in_front && corner_[i].w > 0;
-    least = std::min(least, corner_[i].z / corner_[i].w);
-    greatest = std::max(greatest, corner_[i].z / corner_[i].w);
-  }
-  Range range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  if (area_ != 0) {
-    const long double middle = at(sum, x, y) / area_;
-    const long double reach = band_ * (std::abs(sum[0]) + std::abs(sum[1])) / std::abs(area_);
-    range = {static_cast<double>(middle - reach), static_cast<double>(middle + reach)};
-  }
-  if (!is_in_front) return range;
-  return {std::clamp(range.low, least, greatest), std::clamp(range.high, least, greatest)};
-}
-
-Range FaceValues::attribute(int x, int y, const std::array<double, 3>& value) const {
-  const auto [least, greatest] = std::minmax_element(value.begin(), value.end());
-  Range range{*greatest, *least};
-  for (const long double dx : {-band_, band_}) {
-    for (const long double dy : {-band_, band_}) {
-      long double sum = 0, weights = 0;
-      for (size_t i = 0; i < 3; ++i) {
-        const long double weight = at(weight_[i], x + dx, y + dy);
-        sum += weight * value[i];
-        weights += weight;
-      }
-      if (!(weights * area_ > 0)) return {*least, *greatest};
-      const auto here = std::clamp(static_cast<double>(sum / weights), *least, *greatest);
-      range = {std::min(range.low, here), std::max(range.high, here)};
-    }
-  }
-  return range;
 }
 
 }  // namespace exact

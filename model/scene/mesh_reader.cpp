@@ -45,6 +45,29 @@ bool is_counter_clockwise(const std::array<ClipVertex, 3>& corner) {
   return dot(point(0), cross(point(1), point(2))) > 0;
 }
 
+// Finite, and so are the distances from the planes of a ClipVolume.
+bool can_be_cut(const std::array<double, 4>& position) {
+  return std::all_of(position.begin(), position.end(),
+                     [](double value) { return std::abs(value) < 1e300; });
+}
+
+// How far an affine mean of some colours can lie from the perspective-correct one: a fraction of
+// the colours' range. Of two corners whose w's have the ratio r, and of more with none greater, the
+// means lie up to (sqrt(r) - 1) / (sqrt(r) + 1) of it apart.
+double affine_error(const std::array<const ClipVertex*, 3>& corner, size_t channels) {
+  const auto [near, far] =
+      std::minmax({corner[0]->position[3], corner[1]->position[3], corner[2]->position[3]});
+  if (near == far) return 0;
+  double range = 0;
+  for (size_t k = 0; k < channels; ++k) {
+    const auto [least, greatest] =
+        std::minmax({corner[0]->rgba[k], corner[1]->rgba[k], corner[2]->rgba[k]});
+    range = std::max(range, greatest - least);
+  }
+  const double root = std::sqrt(far / near);
+  return range * (root - 1) / (root + 1);
+}
+
 }  // namespace
 
 ClipMesh clip_mesh(Mesh mesh, const View& view) {
@@ -55,7 +78,10 @@ ClipMesh clip_mesh(Mesh mesh, const View& view) {
     seen.vertex[i].rgba = shaded(mesh, i, view);
   }
   seen.drawable.reserve(mesh.triangle.size());
-  for (const auto& t : mesh.triangle) seen.drawable.push_back(mesh.is_finite(t));
+  for (const auto& t : mesh.triangle) {
+    seen.drawable.push_back(std::all_of(
+        t.begin(), t.end(), [&](uint32_t i) { return can_be_cut(seen.vertex[i].position); }));
+  }
   seen.triangle = std::move(mesh.triangle);
   seen.provoking = std::move(mesh.provoking);
   seen.polygon = std::move(mesh.polygon);
@@ -79,6 +105,7 @@ MeshReader::MeshReader(std::shared_ptr<const ClipMesh> mesh, const spec::FrameSt
 
 void MeshReader::rewind() {
   next_ = 0;
+  noted_ = 0;
   pieces_.clear();
   piece_ = 0;
 }
@@ -163,6 +190,13 @@ void MeshReader::set_w(const std::array<const ClipVertex*, 3>& corners,
   }
 }
 
+void MeshReader::note_affine_error(double lsb, Counters* counters) {
+  if (lsb < .5) return;
+  counters->affine_lsb = std::max(counters->affine_lsb, lsb);
+  // Pieces of a triangle count once.
+  if (std::exchange(noted_, next_) != next_) ++counters->affine_colors;
+}
+
 uint64_t MeshReader::skip(uint64_t triangles) {
   pieces_.clear();
   piece_ = 0;
@@ -179,6 +213,7 @@ bool MeshReader::read(ScreenTriangle* triangle, Counters* counters) {
                                                  &polygon_.v[piece[2]]};
   for (size_t i = 0; i < 3; ++i) triangle->v[i] = project(*corners[i]);
   set_w(corners, &triangle->v);
+  note_affine_error(affine_error(corners, smooth_), counters);
   if (smooth_ < 4) {
     const ClipVertex& provoking = mesh_->provoking_vertex(next_ - 1);
     for (ScreenVertex& v : triangle->v) {

@@ -15,7 +15,7 @@ namespace pineda::scene {
 struct ClipMesh {
   std::vector<ClipVertex> vertex;
   std::vector<std::array<uint32_t, 3>> triangle;
-  std::vector<bool> drawable;       // a triangle: all of its coordinates are finite
+  std::vector<bool> drawable;       // a triangle: its coordinates are finite, below 1e300
   std::vector<uint32_t> provoking;  // as these stand in Mesh
   std::vector<MeshPolygon> polygon;
   std::vector<uint32_t> corner;
@@ -48,6 +48,7 @@ class MeshReader final : public ScreenReader {
  private:
   bool next_polygon(Counters* counters);
   void snap_and_partition(bool counter_clockwise);
+  void note_affine_error(double lsb, Counters* counters);
   ScreenVertex project(const ClipVertex& vertex) const;  // all but w
   static void set_w(const std::array<const ClipVertex*, 3>& corners,
                     std::array<ScreenVertex, 3>* vertices);
@@ -58,8 +59,9 @@ class MeshReader final : public ScreenReader {
   size_t smooth_;     // channels from here on are flat
   float low_, high_;  // px, the first and last position that the guard band has
   ClipVolume volume_;
-  size_t next_ = 0;  // the triangle that next_polygon() takes
-  Polygon polygon_;  // what is left of the one before, and its pieces
+  size_t next_ = 0;   // the triangle that next_polygon() takes
+  size_t noted_ = 0;  // next_ of the last triangle that was counted for its colours
+  Polygon polygon_;   // what is left of the one before, and its pieces
   std::vector<Piece> pieces_;
   size_t piece_ = 0;
 };

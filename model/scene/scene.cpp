@@ -285,6 +285,12 @@ std::vector<std::string> notes(const spec::Design& design, const spec::FrameStat
   if (!design.perspective && design.attributes > 0 && frame.shade == spec::Shade::kSmooth) {
     note(c.perspective, "vertices with W other than 1: this design interpolates colours affinely");
   }
+  if (!design.perspective && c.affine_colors > 0) {
+    lines.push_back(fmt::format(
+        "{} triangles whose colours lie up to {:.0f} LSB from perspective-correct ones: "
+        "this design interpolates colours affinely",
+        c.affine_colors, std::ceil(c.affine_lsb)));
+  }
   if (c.rounded_slope > 0) {
     lines.push_back(fmt::format(
         "the depth bias's slope factor is taken as {}, the nearest multiple of 1/256",
