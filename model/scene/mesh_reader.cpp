@@ -191,7 +191,7 @@ void MeshReader::set_w(const std::array<const ClipVertex*, 3>& corners,
 }
 
 void MeshReader::note_affine_error(double lsb, Counters* counters) {
-  if (lsb < .5) return;
+  if (lsb < 1) return;
   counters->affine_lsb = std::max(counters->affine_lsb, lsb);
   // Pieces of a triangle count once.
   if (std::exchange(noted_, next_) != next_) ++counters->affine_colors;
