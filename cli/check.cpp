@@ -185,6 +185,7 @@ Json check_json(const CheckResult& r, const scene::Scene& scene, const spec::Con
   json["color"] = {{"max_lsb", r.judgement.max_color_lsb},
                    {"bound_lsb", r.judgement.bounds.attribute_lsb}};
   json["beyond_bounds"] = r.judgement.beyond;
+  if (r.judgement.mesh) json["mesh"] = mesh_json(*r.judgement.mesh);
   for (const Side* side : {&r.model, &r.rtl}) {
     json["sides"][side->name] = {{"compared", side->compared},
                                  {"mismatches", side->mismatches},
@@ -226,6 +227,7 @@ void print(const Output& output, const CheckResult& r, const spec::Contract& con
                                      grouped(r.judgement.missing), grouped(r.judgement.extra)));
   output.row("depth error", depth_error_text(r.judgement));
   output.row("colour error", color_error_text(r.judgement));
+  if (r.judgement.mesh) output.row("mesh", mesh_text(*r.judgement.mesh));
   if (r.judgement.beyond > 0) output.row("beyond their bounds", grouped(r.judgement.beyond));
   output.row("seconds", fmt::format("{:.2f} (SystemC {:.2f}, RTL {:.2f})", r.seconds,
                                     r.model.seconds, r.rtl.seconds));
@@ -255,7 +257,7 @@ int run(const CheckOptions& options) {
   CheckResult result;
   core::Renderer reference(contract, scene.frame);
   result.seconds = seconds_of([&] {
-    result.judgement = judge(scene.source.get(), &reference, &progress);
+    result.judgement = judge(scene, &reference, &progress);
     result.counters = reference.counters();
     result.model = check_model(scene, contract, top.get(), reference.buffer(), &progress);
     result.rtl = check_rtl(scene, library, bench, reference.buffer(), &progress);

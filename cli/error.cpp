@@ -10,6 +10,7 @@
 #include "studies/error_page.h"
 #include "studies/error_pictures.h"
 #include "studies/error_table.h"
+#include "studies/front_end.h"
 #include "studies/model_cycles.h"
 
 namespace pineda::cli {
@@ -131,7 +132,6 @@ Json error_json(const studies::ErrorStudy& study, const scene::Scene& scene, dou
   json["depth_func"] = scene::name_of(scene.frame.depth);
   const Json state = unusual_state_json(scene.frame);
   json.insert(state.begin(), state.end());
-  json["holds"] = study.holds();
   json["seconds"] = seconds;
   json["triangles"] = scene.source->counters().triangles;
   json["judged_triangles"] = study.triangles;
@@ -180,8 +180,6 @@ void print(const Output& output, const studies::ErrorStudy& study, const ErrorOp
                                       "error.json",
                                       options.out));
   }
-  output.line("{}", study.holds() ? "It holds: no design misses a sample or its bounds."
-                                  : "IT DOES NOT HOLD.");
 }
 
 /// Designs that take a scene the same way are judged in one pass: in the order of their firsts.
@@ -200,10 +198,16 @@ std::vector<std::vector<spec::Design>> by_format(const std::vector<spec::Design>
   return groups;
 }
 
+/// What was found wrong of a mesh before any design drew it.
+using FrontEnd = std::optional<studies::MeshJudgement>;
+
 studies::ErrorStudy study_group(const scene::Scene& scene, const ErrorOptions& options,
                                 const std::vector<spec::Design>& designs, bool baselines,
-                                Progress* progress) {
+                                Progress* progress, FrontEnd* front_end) {
   const auto triangles = load(scene, options, designs.front(), progress);
+  if (scene.mesh && options.every == 1 && (!*front_end || (*front_end)->holds())) {
+    *front_end = studies::judge_front_end(*scene.mesh, scene.frame, triangles, designs.front());
+  }
   studies::ErrorOptions study_options;
   study_options.designs = designs;
   study_options.baselines = baselines;
@@ -240,12 +244,13 @@ int run(const ErrorOptions& options) {
   print_state(output, scene);
   const std::string unknown = unknown_to_baselines(scene.frame);
 
+  FrontEnd front_end;
   studies::ErrorStudy study;
   const double seconds = seconds_of([&] {
-    study = study_group(scene, options, groups.front(), unknown.empty(), &progress);
+    study = study_group(scene, options, groups.front(), unknown.empty(), &progress, &front_end);
     for (size_t i = 1; i < groups.size(); ++i) {
       const scene::Scene again = open(options, spec::contract(groups[i].front()), false);
-      join(study_group(again, options, groups[i], false, &progress), &study);
+      join(study_group(again, options, groups[i], false, &progress, &front_end), &study);
     }
   });
   progress.clear();
@@ -255,11 +260,18 @@ int run(const ErrorOptions& options) {
                             unknown));
   }
 
-  const Json json = error_json(study, scene, seconds);
+  const bool holds = study.holds() && (!front_end || front_end->holds());
+  Json json = error_json(study, scene, seconds);
+  json["holds"] = holds;
+  if (front_end) json["mesh"] = mesh_json(*front_end);
   if (!options.out.empty()) write_folder(options.out, study, scene, json);
   print(output, study, options, seconds);
+  if (front_end) output.row("mesh", mesh_text(*front_end));
+  if (scene.mesh && !front_end) output.row("mesh", "not judged from clip space with --every");
+  output.line("{}",
+              holds ? "It holds: no design misses a sample or its bounds." : "IT DOES NOT HOLD.");
   output.json(json);
-  return study.holds() ? kHolds : kMismatch;
+  return holds ? kHolds : kMismatch;
 }
 
 }  // namespace

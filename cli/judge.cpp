@@ -52,6 +52,7 @@ struct JudgeSink {
   TileRowTruth truth;
   spec::ErrorBounds bounds;  // this triangle's
   Judgement* to;
+  studies::MeshJudge* mesh;                 // null: no mesh
   uint64_t right = 0;                       // samples that both cover
   std::array<int, 4> last{-1, -1, -1, -1};  // tile row, tile column, row, column of a stamp
 
@@ -61,6 +62,7 @@ struct JudgeSink {
   void stamp(const spec::Stamp&) {}
   void fragment(const spec::Stamp& stamp, const spec::Fragment& fragment) {
     const spec::Design& d = contract.design;
+    if (mesh != nullptr) hit_mesh(stamp, fragment);
     const std::array<int, 4> now{stamp.y >> (d.tile_log2 - d.stamp_height_log2),
                                  stamp.x >> (d.tile_log2 - d.stamp_width_log2), stamp.y, stamp.x};
     if (now <= last) {  // sent before: it must not make up for one that is missing
@@ -72,11 +74,32 @@ struct JudgeSink {
     last = now;
     for (int lane = 0; lane < contract.width.lanes; ++lane) {
       if ((stamp.mask >> lane & 1) == 0) continue;
-      const int x = (stamp.x << d.stamp_width_log2) + (lane & ((1 << d.stamp_width_log2) - 1));
-      const int y = (stamp.y << d.stamp_height_log2) + (lane >> d.stamp_width_log2);
-      sample(x, y, fragment.z[static_cast<size_t>(lane)], fragment.attr[static_cast<size_t>(lane)],
-             stamp.planes.flat);
+      sample(lane_x(stamp, lane), lane_y(stamp, lane), fragment.z[static_cast<size_t>(lane)],
+             fragment.attr[static_cast<size_t>(lane)], stamp.planes.flat);
     }
+  }
+
+  void hit_mesh(const spec::Stamp& stamp, const spec::Fragment& fragment) {
+    const spec::Design& d = contract.design;
+    for (int lane = 0; lane < contract.width.lanes; ++lane) {
+      if ((stamp.mask >> lane & 1) == 0) continue;
+      const auto i = static_cast<size_t>(lane);
+      studies::MeshHit hit{lane_x(stamp, lane), lane_y(stamp, lane), stamp.id, fragment.z[i], {}};
+      const auto smooth = static_cast<size_t>(d.attributes);
+      for (size_t k = 0; k < hit.color.size(); ++k) {
+        hit.color[k] = k < smooth ? fragment.attr[i][k] : stamp.planes.flat[k - smooth];
+      }
+      mesh->hit(hit);
+    }
+  }
+
+  int lane_x(const spec::Stamp& stamp, int lane) const {
+    const int log2 = contract.design.stamp_width_log2;
+    return (stamp.x << log2) + (lane & ((1 << log2) - 1));
+  }
+  int lane_y(const spec::Stamp& stamp, int lane) const {
+    const spec::Design& d = contract.design;
+    return (stamp.y << d.stamp_height_log2) + (lane >> d.stamp_width_log2);
   }
 
   void sample(int x, int y, uint32_t z, const spec::Attributes& attr,
@@ -124,7 +147,7 @@ exact::ScreenTriangle stated(const scene::ScreenTriangle& triangle) {
   return result;
 }
 
-Judgement judge(scene::SnappedSource* source, core::Renderer* renderer, Progress* progress) {
+Judgement judge(const scene::Scene& scene, core::Renderer* renderer, Progress* progress) {
   const spec::Contract& contract = renderer->contract();
   const spec::FrameState& frame = renderer->frame();
   const auto format = studies::format_of(contract.design);
@@ -133,18 +156,43 @@ Judgement judge(scene::SnappedSource* source, core::Renderer* renderer, Progress
   const double slope = std::ldexp(frame.bias_slope, -spec::kBiasFactorFractionBits);
   Judgement judgement;
   judgement.bounds = bounds;
+  std::optional<studies::MeshJudge> mesh;
+  if (scene.mesh) mesh.emplace(*scene.mesh, contract, frame);
   spec::Triangle triangle;
-  while (source->next(&triangle)) {
+  while (scene.source->next(&triangle)) {
     progress->update("exact judge", triangle.id);
-    const exact::ScreenJudge screen(stated(source->screen()), format, exact_frame);
+    const exact::ScreenJudge screen(stated(scene.source->screen()), format, exact_frame);
     spec::ErrorBounds own = bounds;
     own.depth_ulp += spec::depth_bias_error_bound(contract.design, slope, screen.depth_slope());
     judgement.bounds.depth_ulp = std::max(judgement.bounds.depth_ulp, own.depth_ulp);
-    JudgeSink sink{contract, frame, TileRowTruth(screen, contract.design), own, &judgement};
+    JudgeSink sink{contract, frame,      TileRowTruth(screen, contract.design),
+                   own,      &judgement, mesh ? &*mesh : nullptr};
     renderer->draw_showing_all(triangle, sink);
     judgement.missing += static_cast<uint64_t>(screen.snapped().samples()) - sink.right;
   }
+  if (mesh) judgement.mesh = mesh->finish();
   return judgement;
+}
+
+std::string mesh_text(const studies::MeshJudgement& j) {
+  const std::string judged =
+      fmt::format("{} faces from clip space, {} samples, {} of them in an edge's band",
+                  grouped(j.faces), grouped(j.samples), grouped(j.banded));
+  if (!j.first) return judged;
+  return fmt::format("{}; {} WRONG, first ({}, {}) of triangle {}: {}", judged, grouped(j.wrong),
+                     j.first->x, j.first->y, j.first->triangle, j.first->what);
+}
+
+Json mesh_json(const studies::MeshJudgement& j) {
+  Json json = {
+      {"faces", j.faces}, {"samples", j.samples}, {"banded", j.banded}, {"wrong", j.wrong}};
+  if (j.first) {
+    json["first"] = {{"x", j.first->x},
+                     {"y", j.first->y},
+                     {"triangle", j.first->triangle},
+                     {"what", j.first->what}};
+  }
+  return json;
 }
 
 }  // namespace pineda::cli

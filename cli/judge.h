@@ -5,6 +5,7 @@
 #include "model/core/frame.h"
 #include "model/exact/exact.h"
 #include "model/spec/bounds.h"
+#include "studies/mesh_judge.h"
 
 namespace pineda::cli {
 
@@ -22,11 +23,18 @@ struct Judgement {
   double max_color_lsb = 0;
   spec::ErrorBounds bounds{};  // the design's; of depth with the most that a bias adds to it
   uint64_t beyond = 0;         // samples with a value beyond their triangle's bounds
+  std::optional<studies::MeshJudgement> mesh;  // from clip space on
 
-  bool holds() const { return missing == 0 && extra == 0 && beyond == 0; }
+  bool holds() const {
+    return missing == 0 && extra == 0 && beyond == 0 && (!mesh || mesh->holds());
+  }
 };
 
 /// Draws all triangles of the scene on `renderer` and judges them, in bounded memory.
-Judgement judge(scene::SnappedSource* source, core::Renderer* renderer, Progress* progress);
+Judgement judge(const scene::Scene& scene, core::Renderer* renderer, Progress* progress);
+
+/// "of 320 faces 12,345 samples right, 56 of them in an edge's band", or what is wrong first.
+std::string mesh_text(const studies::MeshJudgement& judgement);
+Json mesh_json(const studies::MeshJudgement& judgement);
 
 }  // namespace pineda::cli

@@ -112,6 +112,10 @@ void add_scene_options(CLI::App* command, Options* o) {
   command->add_option("--clear-depth", o->clear_depth, "0 to 1, what depth is cleared to; 1 = far")
       ->type_name("Z")
       ->group(meshes);
+  command
+      ->add_flag("--reverse-z", o->reverse_z,
+                 "Depth 1 at the near plane; depth greater, clear depth 0 unless they are given")
+      ->group(meshes);
   command->add_option("--shade", o->shade, "smooth, or flat: the first vertex's colour")
       ->check(CLI::IsMember(scene::words_of<spec::Shade>()))
       ->type_name("SHADE")
@@ -220,6 +224,7 @@ scene::Scene open(const Options& o, const spec::Contract& contract, bool multi_p
     options.camera = camera;
   }
   options.camera_number = o.camera;
+  options.reverse_z = o.reverse_z;
   options.tessellate = o.tessellate;
   options.seed = o.seed;
   options.multi_pass = multi_pass;

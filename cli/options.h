@@ -41,6 +41,7 @@ struct Options {
   std::string depth_write;
   std::string depth_bias;  // C,S
   std::string clear_depth;
+  bool reverse_z = false;
   std::string shade;
   std::vector<double> eye, look_at;
   std::optional<double> fov_deg;

@@ -113,10 +113,11 @@ Json unusual_state_json(const spec::FrameState& f) {
 }
 
 Json input_json(const scene::Counters& c) {
-  return {{"triangles", c.triangles},        {"nan_dropped", c.nan_dropped},
-          {"saturated", c.saturated},        {"z_clamped", c.z_clamped},
-          {"denormals", c.denormals},        {"clipped", c.clipped},
-          {"clipped_away", c.clipped_away},  {"perspective", c.perspective},
+  return {{"triangles", c.triangles},         {"nan_dropped", c.nan_dropped},
+          {"saturated", c.saturated},         {"z_clamped", c.z_clamped},
+          {"denormals", c.denormals},         {"clipped", c.clipped},
+          {"clipped_away", c.clipped_away},   {"perspective", c.perspective},
+          {"affine_colors", c.affine_colors}, {"affine_lsb", c.affine_lsb},
           {"rounded_slope", c.rounded_slope}};
 }
 

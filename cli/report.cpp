@@ -111,6 +111,7 @@ std::string report_html(const CheckResult& r, const scene::Scene& scene,
               fmt::format("{}, {}", grouped(r.judgement.missing), grouped(r.judgement.extra)));
   page += row("depth error", depth_error_text(r.judgement));
   page += row("colour error", color_error_text(r.judgement));
+  if (r.judgement.mesh) page += row("mesh", mesh_text(*r.judgement.mesh));
   if (r.judgement.beyond > 0) {
     page += row("samples beyond their bounds", grouped(r.judgement.beyond));
   }

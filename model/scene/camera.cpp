@@ -65,10 +65,11 @@ void set_planes(const Mesh& mesh, View* view) {
 std::array<double, 4> View::clip(const Vec3& world) const {
   const Vec3 p = world - eye;
   const double x = scale_x * dot(right, p), y = scale_y * dot(up, p);
-  const double w = -dot(back, p);
-  if (is_orthographic) return {x, y, (w - near) / (far - near), 1};
-  if (std::isinf(far)) return {x, y, w - near, w};
-  return {x, y, (w - near) * (far / (far - near)), w};
+  const double along = -dot(back, p), w = is_orthographic ? 1 : along;
+  double z = (along - near) * (far / (far - near));
+  if (std::isinf(far)) z = along - near;
+  if (is_orthographic) z = (along - near) / (far - near);
+  return {x, y, is_reversed ? w - z : z, w};
 }
 
 View framing_view(const Mesh& mesh, int width, int height) {

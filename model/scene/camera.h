@@ -17,14 +17,15 @@ struct Camera {
 
 /// A camera made ready: clip = (x, y, z, w) with w the distance along the view, or 1 in an
 /// orthographic one; 0 <= z <= w between the near and the far plane, and |x|, |y| <= w inside the
-/// frame. With far infinite z = w - near.
+/// frame. With far infinite z = w - near. Reversed, z is w less that.
 struct View {
   Vec3 eye;
   Vec3 right, up, back;  // orthonormal; back points from the scene to the eye
   double scale_x = 1, scale_y = 1;
   double near = 1, far = 2;
   bool is_orthographic = false;
-  bool far_cuts = false;  // what lies beyond far is not drawn; else far is behind everything
+  bool far_cuts = false;     // what lies beyond far is not drawn; else far is behind everything
+  bool is_reversed = false;  // z = w at the near plane and 0 at the far one
 
   std::array<double, 4> clip(const Vec3& world) const;
 };

@@ -3,16 +3,18 @@
 namespace pineda::scene {
 
 // Viewport: x = (x/w + 1) * width/2, y = (1 - y/w) * height/2.
-ClipVolume::ClipVolume(int width, int height, int guard_bits) {
+ClipVolume::ClipVolume(int width, int height, const spec::Design& design, DepthPlanes depth) {
   const double half_width = width / 2.0;
   const double half_height = height / 2.0;
-  // One pixel inside the guard band: no rounding after the cut can leave it.
-  const double guard = (1 << guard_bits) - 1.0;
-  planes_ = {{{0, 0, 1, 0},
-              {half_width, 0, 0, guard + half_width},
-              {-half_width, 0, 0, guard - half_width},
-              {0, -half_height, 0, guard + half_height},
-              {0, half_height, 0, guard - half_height}}};
+  const double low = 1 << design.guard_bits;  // px, towards left and top
+  const double high = low - 1. / (1 << design.subpixel_bits);
+  constexpr Plane kEverywhere = {0, 0, 0, 0};
+  planes_ = {{depth.low ? Plane{0, 0, 1, 0} : kEverywhere,
+              depth.high ? Plane{0, 0, -1, 1} : kEverywhere,
+              {half_width, 0, 0, low + half_width},
+              {-half_width, 0, 0, high - half_width},
+              {0, -half_height, 0, low + half_height},
+              {0, half_height, 0, high - half_height}}};
 }
 
 double ClipVolume::distance(const Plane& plane, const ClipVertex& vertex) {

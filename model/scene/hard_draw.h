@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "model/scene/hard_cases.h"
+#include "model/scene/mesh_reader.h"
 #include "model/scene/random.h"
 
 namespace pineda::scene::hard {
@@ -112,5 +115,17 @@ std::vector<HardCase> limit_cases();
 std::vector<HardCase> value_cases();
 std::vector<HardCase> perspective_cases();
 std::vector<HardCase> state_cases();
+
+/// A mesh as a camera sees it, clipped.
+inline std::vector<ScreenTriangle> seen_mesh(Mesh mesh, const Camera& camera,
+                                             const spec::FrameState& frame) {
+  const View view = camera_view(camera, mesh, frame.width, frame.height);
+  MeshReader reader(std::make_shared<const ClipMesh>(clip_mesh(std::move(mesh), view)), frame,
+                    spec::contract(spec::kHighTile));
+  std::vector<ScreenTriangle> triangles;
+  Counters counters;
+  for (ScreenTriangle t; reader.read(&t, &counters);) triangles.push_back(t);
+  return triangles;
+}
 
 }  // namespace pineda::scene::hard

@@ -1,6 +1,5 @@
 // Hard cases of perspective: attributes where the w's of a triangle lie far apart.
 #include "model/scene/hard_draw.h"
-#include "model/scene/mesh_reader.h"
 
 namespace pineda::scene::hard {
 namespace {
@@ -90,14 +89,7 @@ Mesh before_near_plane() {
 }
 
 std::vector<ScreenTriangle> near_plane_vertex() {
-  const Mesh mesh = before_near_plane();
-  const Camera camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 60};
-  MeshReader reader(mesh, camera_view(camera, mesh, kFrame.width, kFrame.height), kFrame.width,
-                    kFrame.height, 14);
-  std::vector<ScreenTriangle> triangles;
-  Counters counters;
-  for (ScreenTriangle t; reader.read(&t, &counters);) triangles.push_back(t);
-  return triangles;
+  return seen_mesh(before_near_plane(), {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 60}, kFrame);
 }
 
 }  // namespace

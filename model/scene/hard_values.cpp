@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "model/scene/hard_draw.h"
-#include "model/scene/mesh_reader.h"
 
 namespace pineda::scene::hard {
 namespace {
@@ -138,14 +137,7 @@ Mesh plain() {
 }
 
 std::vector<ScreenTriangle> near_plane() {
-  const Mesh mesh = plain();
-  const int width = kNearPlaneFrame.width, height = kNearPlaneFrame.height;
-  const Camera camera{{0, .05, 0}, {0, 0, -.07}, {0, 1, 0}, 60};
-  MeshReader reader(mesh, camera_view(camera, mesh, width, height), width, height, 14);
-  std::vector<ScreenTriangle> triangles;
-  Counters counters;
-  for (ScreenTriangle t; reader.read(&t, &counters);) triangles.push_back(t);
-  return triangles;
+  return seen_mesh(plain(), {{0, .05, 0}, {0, 0, -.07}, {0, 1, 0}, 60}, kNearPlaneFrame);
 }
 
 }  // namespace

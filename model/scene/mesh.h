@@ -13,12 +13,17 @@ namespace pineda::scene {
 
 using Rgba = std::array<uint8_t, 4>;
 
-/// A polygon of more than three corners as its file states it, and the triangles that it became.
+/// A list of corners as its file states it, and the triangles that it became: a polygon of more
+/// than three corners, or a strip or fan as glTF defines them (2.0, section 3.7.2.1).
 struct MeshPolygon {
+  enum class Kind : uint8_t { kPolygon, kStrip, kFan };
+
   uint32_t first_corner = 0;  // of Mesh::corner
   uint32_t corners = 0;
   uint32_t first_triangle = 0;  // of Mesh::triangle
   uint32_t triangles = 0;
+  Kind kind = Kind::kPolygon;
+  bool is_mirrored = false;  // a node's transform turns it over, so its triangles go the other way
 };
 
 /// A camera that came with the mesh. The frame's aspect is not its own business.
@@ -42,11 +47,10 @@ struct Mesh {
   // A vertex for each triangle, whose colour is that of flat shading; empty: the first corners. It
   // need not be one of the triangle's.
   std::vector<uint32_t> provoking;
-  // Those that do not cross themselves, in the order of their triangles; and their vertices.
+  // In the order of their triangles, without polygons that cross themselves; and their vertices.
   std::vector<MeshPolygon> polygon;
   std::vector<uint32_t> corner;
-  std::vector<FileCamera>
-      camera;  // of the file; whether one of them is used is the caller's choice
+  std::vector<FileCamera> camera;  // of the file; which is used, if any, is the caller's choice
 
   /// A triangle with a coordinate that is NaN or infinite cannot be projected.
   bool is_finite(const std::array<uint32_t, 3>& t) const {

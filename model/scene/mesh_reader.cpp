@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "model/scene/snap.h"
 
 namespace pineda::scene {
 namespace {
@@ -25,55 +28,138 @@ std::array<double, 4> shaded(const Mesh& mesh, size_t i, const View& view) {
   return rgba;
 }
 
+uint8_t to_byte(double channel) { return static_cast<uint8_t>(std::lround(channel)); }
+
+// The last binary32 number that does not lie behind `limit`.
+float floor_float(double limit) {
+  const auto nearest = static_cast<float>(limit);
+  return static_cast<double>(nearest) <= limit ? nearest : std::nextafter(nearest, 0.f);
+}
+
+// Does the triangle turn counter-clockwise on the screen, as far as it lies in front of the eye?
+bool is_counter_clockwise(const std::array<ClipVertex, 3>& corner) {
+  const auto point = [&](size_t i) {
+    const auto& p = corner[i].position;
+    return Vec3{p[0], p[1], p[3]};
+  };
+  return dot(point(0), cross(point(1), point(2))) > 0;
+}
+
+// Finite, and so are the distances from the planes of a ClipVolume.
+bool can_be_cut(const std::array<double, 4>& position) {
+  return std::all_of(position.begin(), position.end(),
+                     [](double value) { return std::abs(value) < 1e300; });
+}
+
+// How far an affine mean of some colours can lie from the perspective-correct one: a fraction of
+// the colours' range. Of two corners whose w's have the ratio r, and of more with none greater, the
+// means lie up to (sqrt(r) - 1) / (sqrt(r) + 1) of it apart.
+double affine_error(const std::array<const ClipVertex*, 3>& corner, size_t channels) {
+  const auto [near, far] =
+      std::minmax({corner[0]->position[3], corner[1]->position[3], corner[2]->position[3]});
+  if (near == far) return 0;
+  double range = 0;
+  for (size_t k = 0; k < channels; ++k) {
+    const auto [least, greatest] =
+        std::minmax({corner[0]->rgba[k], corner[1]->rgba[k], corner[2]->rgba[k]});
+    range = std::max(range, greatest - least);
+  }
+  const double root = std::sqrt(far / near);
+  return range * (root - 1) / (root + 1);
+}
+
 }  // namespace
 
-MeshReader::MeshReader(const Mesh& mesh, const View& view, int width, int height, int guard_bits)
-    : width_(width),
-      height_(height),
-      volume_(width, height, guard_bits),
-      vertices_(mesh.position.size()),
-      triangles_(mesh.triangle) {
-  for (size_t i = 0; i < vertices_.size(); ++i) {
-    vertices_[i].position = view.clip(mesh.position[i]);
-    vertices_[i].rgba = shaded(mesh, i, view);
+ClipMesh clip_mesh(Mesh mesh, const View& view) {
+  ClipMesh seen;
+  seen.vertex.resize(mesh.position.size());
+  for (size_t i = 0; i < seen.vertex.size(); ++i) {
+    seen.vertex[i].position = view.clip(mesh.position[i]);
+    seen.vertex[i].rgba = shaded(mesh, i, view);
   }
-  drawable_.reserve(triangles_.size());
-  for (const auto& t : triangles_) drawable_.push_back(mesh.is_finite(t));
+  seen.drawable.reserve(mesh.triangle.size());
+  for (const auto& t : mesh.triangle) {
+    seen.drawable.push_back(std::all_of(
+        t.begin(), t.end(), [&](uint32_t i) { return can_be_cut(seen.vertex[i].position); }));
+  }
+  seen.triangle = std::move(mesh.triangle);
+  seen.provoking = std::move(mesh.provoking);
+  seen.polygon = std::move(mesh.polygon);
+  seen.corner = std::move(mesh.corner);
+  seen.depth =
+      view.is_reversed ? DepthPlanes{view.far_cuts, true} : DepthPlanes{true, view.far_cuts};
+  return seen;
 }
+
+MeshReader::MeshReader(std::shared_ptr<const ClipMesh> mesh, const spec::FrameState& frame,
+                       const spec::Contract& contract)
+    : mesh_(std::move(mesh)),
+      width_(frame.width),
+      height_(frame.height),
+      contract_(contract),
+      smooth_(frame.shade == spec::Shade::kFlat
+                  ? 0
+                  : std::min<size_t>(static_cast<size_t>(contract.design.attributes), 4)),
+      low_(static_cast<float>(-(1 << contract.design.guard_bits))),
+      high_(floor_float((1 << contract.design.guard_bits) -
+                        1. / (1 << contract.design.subpixel_bits))),
+      volume_(frame.width, frame.height, contract.design, mesh_->depth) {}
 
 void MeshReader::rewind() {
   next_ = 0;
-  polygon_.size = 0;
+  noted_ = 0;
+  pieces_.clear();
+  piece_ = 0;
 }
 
 // The next triangle of which something is left.
 bool MeshReader::next_polygon(Counters* counters) {
-  while (next_ < triangles_.size()) {
+  piece_ = 0;
+  while (next_ < mesh_->triangle.size()) {
     const size_t current = next_++;
     ++counters->triangles;
-    if (!drawable_[current]) {
+    if (!mesh_->drawable[current]) {
       ++counters->nan_dropped;
       continue;
     }
     std::array<ClipVertex, 3> corner;
     unsigned outside = 0;
     for (size_t i = 0; i < 3; ++i) {
-      corner[i] = vertices_[triangles_[current][i]];
+      corner[i] = mesh_->vertex[mesh_->triangle[current][i]];
       outside |= volume_.outside(corner[i]);
     }
-    polygon_.size = 3;
-    std::copy(corner.begin(), corner.end(), polygon_.v.begin());
-    if (outside != 0) polygon_ = volume_.clip(corner);
+    if (outside == 0) {
+      std::copy(corner.begin(), corner.end(), polygon_.v.begin());
+      pieces_.assign(1, {0, 1, 2});
+      return true;
+    }
+    polygon_ = volume_.clip(corner);
     if (polygon_.size < 3) {
       ++counters->clipped_away;
       continue;
     }
-    counters->clipped += outside != 0 ? 1 : 0;
-    piece_ = 0;
+    ++counters->clipped;
+    snap_and_partition(is_counter_clockwise(corner));
     return true;
   }
-  polygon_.size = 0;
+  pieces_.clear();
   return false;
+}
+
+// The pieces of what a cut leaves.
+void MeshReader::snap_and_partition(bool counter_clockwise) {
+  Counters none;  // counted again where the pieces are snapped
+  std::vector<GridPoint> points;
+  for (size_t i = 0; i < polygon_.size; ++i) {
+    const ScreenVertex v = project(polygon_.v[i]);
+    if (std::isnan(v.x) || std::isnan(v.y)) {  // dropped where it is snapped
+      pieces_.assign(1, {static_cast<uint8_t>(i), 0, 1});
+      return;
+    }
+    points.push_back(
+        {snap_coordinate(contract_, v.x, &none), snap_coordinate(contract_, v.y, &none)});
+  }
+  partition(points, !counter_clockwise, &pieces_);
 }
 
 ScreenVertex MeshReader::project(const ClipVertex& vertex) const {
@@ -81,8 +167,12 @@ ScreenVertex MeshReader::project(const ClipVertex& vertex) const {
   ScreenVertex v;
   v.x = static_cast<float>((p[0] / p[3] + 1) * (width_ / 2.0));
   v.y = static_cast<float>((1 - p[1] / p[3]) * (height_ / 2.0));
-  v.z = static_cast<float>(std::max(0., p[2] / p[3]));  // a cut may end a rounding before near
-  for (size_t i = 0; i < 4; ++i) v.rgba[i] = static_cast<uint8_t>(std::lround(vertex.rgba[i]));
+  v.z = static_cast<float>(p[2] / p[3]);
+  // A cut may end a rounding beyond its plane.
+  v.x = std::clamp(v.x, low_, high_);
+  v.y = std::clamp(v.y, low_, high_);
+  v.z = std::clamp(v.z, 0.f, 1.f);
+  for (size_t i = 0; i < 4; ++i) v.rgba[i] = to_byte(vertex.rgba[i]);
   return v;
 }
 
@@ -102,22 +192,36 @@ void MeshReader::set_w(const std::array<const ClipVertex*, 3>& corners,
   }
 }
 
+void MeshReader::note_affine_error(double lsb, Counters* counters) {
+  if (lsb < 1) return;
+  counters->affine_lsb = std::max(counters->affine_lsb, lsb);
+  // Pieces of a triangle count once.
+  if (std::exchange(noted_, next_) != next_) ++counters->affine_colors;
+}
+
 uint64_t MeshReader::skip(uint64_t triangles) {
-  polygon_.size = 0;
-  const uint64_t skipped = std::min<uint64_t>(triangles, triangles_.size() - next_);
+  pieces_.clear();
+  piece_ = 0;
+  const uint64_t skipped = std::min<uint64_t>(triangles, mesh_->triangle.size() - next_);
   next_ += skipped;
   return skipped;
 }
 
 bool MeshReader::read(ScreenTriangle* triangle, Counters* counters) {
-  const bool has_piece = polygon_.size != 0 && piece_ + 2 < polygon_.size;
-  if (!has_piece && !next_polygon(counters)) return false;
-  ++piece_;
+  if (piece_ == pieces_.size() && !next_polygon(counters)) return false;
+  const Piece& piece = pieces_[piece_++];
   triangle->id = static_cast<uint32_t>(next_ - 1);
-  const std::array<const ClipVertex*, 3> corners{&polygon_.v[0], &polygon_.v[piece_],
-                                                 &polygon_.v[piece_ + 1]};
+  const std::array<const ClipVertex*, 3> corners{&polygon_.v[piece[0]], &polygon_.v[piece[1]],
+                                                 &polygon_.v[piece[2]]};
   for (size_t i = 0; i < 3; ++i) triangle->v[i] = project(*corners[i]);
   set_w(corners, &triangle->v);
+  note_affine_error(affine_error(corners, smooth_), counters);
+  if (smooth_ < 4) {
+    const ClipVertex& provoking = mesh_->provoking_vertex(next_ - 1);
+    for (ScreenVertex& v : triangle->v) {
+      for (size_t k = smooth_; k < 4; ++k) v.rgba[k] = to_byte(provoking.rgba[k]);
+    }
+  }
   return true;
 }
 

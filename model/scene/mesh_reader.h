@@ -1,41 +1,68 @@
 // A mesh as a stream of screen triangles: shade, transform, clip, divide, viewport.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "model/scene/camera.h"
 #include "model/scene/clip.h"
+#include "model/scene/partition.h"
 #include "model/scene/screen.h"
 
 namespace pineda::scene {
 
+/// A mesh as a camera sees it, before clipping.
+struct ClipMesh {
+  std::vector<ClipVertex> vertex;
+  std::vector<std::array<uint32_t, 3>> triangle;
+  std::vector<bool> drawable;       // a triangle: its coordinates are finite, below 1e300
+  std::vector<uint32_t> provoking;  // as these stand in Mesh
+  std::vector<MeshPolygon> polygon;
+  std::vector<uint32_t> corner;
+  DepthPlanes depth;
+
+  const ClipVertex& provoking_vertex(size_t i) const {
+    return vertex[provoking.empty() ? triangle[i][0] : provoking[i]];
+  }
+};
+
+ClipMesh clip_mesh(Mesh mesh, const View& view);
+
 /// Bits     in doubles, then one rounding to the binary32 of a ScreenVertex: the same triangles
 ///          saved as .ptrb give the same picture. Colours are cut with the triangle and rounded to
-///          the nearest at the end.
-/// Out      the pieces of a cut triangle as a fan, all with its number; w = clip-space w.
+///          the nearest at the end. Channels that are flat (all of them under flat shading, else
+///          those that the design does not interpolate) are the provoking vertex's everywhere.
+/// Out      a cut triangle in pieces, all with its number, of one orientation once they are snapped
+///          for the design: see partition(). w = clip-space w.
 /// Drops    triangles with a NaN or an Inf, and those of which clipping leaves nothing: counted.
 class MeshReader final : public ScreenReader {
  public:
-  MeshReader(const Mesh& mesh, const View& view, int width, int height, int guard_bits);
+  MeshReader(std::shared_ptr<const ClipMesh> mesh, const spec::FrameState& frame,
+             const spec::Contract& contract);
 
   bool read(ScreenTriangle* triangle, Counters* counters) override;
   void rewind() override;
-  std::optional<uint64_t> size() const override { return triangles_.size(); }
+  std::optional<uint64_t> size() const override { return mesh_->triangle.size(); }
   uint64_t skip(uint64_t triangles) override;
 
  private:
   bool next_polygon(Counters* counters);
+  void snap_and_partition(bool counter_clockwise);
+  void note_affine_error(double lsb, Counters* counters);
   ScreenVertex project(const ClipVertex& vertex) const;  // all but w
   static void set_w(const std::array<const ClipVertex*, 3>& corners,
                     std::array<ScreenVertex, 3>* vertices);
 
+  std::shared_ptr<const ClipMesh> mesh_;
   int width_, height_;
+  spec::Contract contract_;
+  size_t smooth_;     // channels from here on are flat
+  float low_, high_;  // px, the first and last position that the guard band has
   ClipVolume volume_;
-  std::vector<ClipVertex> vertices_;
-  std::vector<std::array<uint32_t, 3>> triangles_;
-  std::vector<bool> drawable_;
-  size_t next_ = 0;  // the triangle that next_polygon() takes
-  Polygon polygon_;  // what is left of the one before
+  size_t next_ = 0;   // the triangle that next_polygon() takes
+  size_t noted_ = 0;  // next_ of the last triangle that was counted for its colours
+  Polygon polygon_;   // what is left of the one before, and its pieces
+  std::vector<Piece> pieces_;
   size_t piece_ = 0;
 };
 

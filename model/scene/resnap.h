@@ -1,6 +1,8 @@
 // A scene that is open, snapped once more for another design.
 #pragma once
 
+#include <algorithm>
+
 #include "model/scene/snap.h"
 
 namespace pineda::scene {
@@ -19,10 +21,12 @@ class Unsnapped final : public ScreenReader {
     const bool is_one = source_->next(&snapped);
     if (is_one) *triangle = source_->screen();
     const Counters& after = source_->counters();
-    for (const auto member : {&Counters::triangles, &Counters::nan_dropped, &Counters::clipped,
-                              &Counters::clipped_away, &Counters::perspective}) {
+    for (const auto member :
+         {&Counters::triangles, &Counters::nan_dropped, &Counters::clipped, &Counters::clipped_away,
+          &Counters::perspective, &Counters::affine_colors}) {
       counters->*member += after.*member - before.*member;
     }
+    counters->affine_lsb = std::max(counters->affine_lsb, after.affine_lsb);
     counters->rounded_slope = after.rounded_slope;  // of the state, so known from the start
     return is_one;
   }

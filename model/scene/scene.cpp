@@ -60,14 +60,15 @@ spec::FrameState frame_of(const spec::Contract& contract, const std::string& nam
   frame.width = size.width;
   frame.height = size.height;
   frame.cull = options.cull.value_or(spec::Cull::kNone);
-  frame.depth = options.depth.value_or(spec::DepthFunc::kLess);
+  frame.depth = options.depth.value_or(options.reverse_z ? spec::DepthFunc::kGreater
+                                                         : spec::DepthFunc::kLess);
   if (const auto& s = options.scissor) set_scissor(s->x, s->y, s->width, s->height, &frame);
   frame.depth_write = options.depth_write.value_or(true);
   if (options.depth_bias) {
     frame.bias_constant = options.depth_bias->constant;
     frame.bias_slope = options.depth_bias->slope.units;
   }
-  frame.clear_depth = options.clear_depth.value_or(1.0f);
+  frame.clear_depth = options.clear_depth.value_or(options.reverse_z ? 0.0f : 1.0f);
   frame.shade = options.shade.value_or(spec::Shade::kSmooth);
   return frame;
 }
@@ -139,14 +140,17 @@ View view_of(const std::string& name, const Mesh& mesh, const Options& options, 
   }
 }
 
-Scene open_mesh(const spec::Contract& contract, const std::string& name, const Mesh& mesh,
+Scene open_mesh(const spec::Contract& contract, const std::string& name, Mesh mesh,
                 const Options& options) {
   const auto frame = frame_of(contract, name, options, Size{});
-  const View view = view_of(name, mesh, options, frame.width, frame.height);
-  return snapped(contract, std::filesystem::path(name).stem().string(), frame,
-                 std::make_unique<MeshReader>(mesh, view, frame.width, frame.height,
-                                              contract.design.guard_bits),
-                 rounded_slope(options));
+  View view = view_of(name, mesh, options, frame.width, frame.height);
+  view.is_reversed = options.reverse_z;
+  const auto seen = std::make_shared<const ClipMesh>(clip_mesh(std::move(mesh), view));
+  Scene scene =
+      snapped(contract, std::filesystem::path(name).stem().string(), frame,
+              std::make_unique<MeshReader>(seen, frame, contract), rounded_slope(options));
+  scene.mesh = seen;
+  return scene;
 }
 
 using MeshFileReader = Mesh (*)(const std::string& file, std::vector<std::string>* warnings);
@@ -162,12 +166,12 @@ MeshFileReader mesh_file_reader(const std::string& ending) {
 Scene open_mesh_file(const spec::Contract& contract, const std::string& path,
                      const Options& options, MeshFileReader read) {
   std::vector<std::string> warnings;
-  const Mesh mesh = read(path, &warnings);
+  Mesh mesh = read(path, &warnings);
   if (!mesh.camera.empty() && !options.camera_number) {
     warnings.push_back(
         fmt::format("{}: {} cameras not used (--camera N takes one)", path, mesh.camera.size()));
   }
-  Scene scene = open_mesh(contract, path, mesh, options);
+  Scene scene = open_mesh(contract, path, std::move(mesh), options);
   scene.warnings = std::move(warnings);
   return scene;
 }
@@ -225,6 +229,7 @@ Scene open_scene(const spec::Contract& contract, const std::string& name, const 
   const bool is_mesh = read_mesh != nullptr || name == "teapot";
   refuse(name, options.tessellate && name != "teapot", "tessellation", "it is for teapot");
   refuse(name, options.camera && !is_mesh, "camera", "it is for meshes");
+  refuse(name, options.reverse_z && !is_mesh, "reversed z", "it is for meshes");
   refuse(name, options.camera_number && read_mesh != read_gltf, "camera of the file",
          "only .gltf and .glb have them");
   refuse(name, options.camera_number && options.camera, "camera of the file", "another is given");
@@ -337,6 +342,12 @@ std::vector<std::string> notes(const spec::Design& design, const spec::FrameStat
   note(c.clipped_away, "triangles behind the near plane or outside the guard band");
   if (!design.perspective && design.attributes > 0 && frame.shade == spec::Shade::kSmooth) {
     note(c.perspective, "vertices with W other than 1: this design interpolates colours affinely");
+  }
+  if (!design.perspective && c.affine_colors > 0) {
+    lines.push_back(fmt::format(
+        "{} triangles whose colours lie up to {:.0f} LSB from perspective-correct ones: "
+        "this design interpolates colours affinely",
+        c.affine_colors, std::ceil(c.affine_lsb)));
   }
   if (c.rounded_slope > 0) {
     lines.push_back(fmt::format(

@@ -9,6 +9,7 @@
 
 #include "model/scene/camera.h"
 #include "model/scene/error.h"
+#include "model/scene/mesh_reader.h"
 #include "model/scene/snap.h"
 #include "model/scene/state.h"
 
@@ -38,6 +39,9 @@ struct Options {
   std::optional<DepthBias> depth_bias;  // |constant| < 2^depth_bits
   std::optional<float> clear_depth;     // 0 to 1
   std::optional<spec::Shade> shade;
+  // Meshes only: depth is 1 at the near plane. Not given, the depth function is then greater and
+  // depth cleared to 0.
+  bool reverse_z = false;
   std::optional<Camera> camera;      // meshes only; default: framing_view()
   std::optional<int> camera_number;  // one of Mesh::camera, .gltf and .glb only; without `camera`
 
@@ -51,7 +55,8 @@ struct Scene {
   std::string name;
   spec::FrameState frame;
   std::unique_ptr<SnappedSource> source;
-  std::vector<std::string> warnings;  // found while opening, one line each
+  std::shared_ptr<const ClipMesh> mesh;  // what source draws, before clipping; null: no mesh
+  std::vector<std::string> warnings;     // found while opening, one line each
 };
 
 /// In       a path that ends in .tri, .ptrb, .obj, .ply, .gltf or .glb; "-" for a .ptrb on standard

@@ -18,6 +18,8 @@ struct Counters {
   uint64_t clipped = 0;        // mesh triangles that the near plane or the guard band cut
   uint64_t clipped_away = 0;   // mesh triangles of which nothing was left
   uint64_t perspective = 0;    // vertices with W != 1, meshes left out
+  uint64_t affine_colors = 0;  // mesh triangles whose colours an affine design can get wrong by 1
+  double affine_lsb = 0;       // the most by which it can, of 255
   uint64_t rounded_slope = 0;  // 1: the depth bias's slope factor was no multiple of 2^-8
 };
 

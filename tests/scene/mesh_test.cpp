@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "model/scene/builtin.h"
-#include "model/scene/mesh_reader.h"
 #include "model/scene/snap.h"
+#include "tests/scene/mesh_source.h"
 #include "tests/scene/scratch.h"
 
 namespace pineda::scene {
@@ -32,8 +32,8 @@ struct Extent {
 
 void expect_framed(const Mesh& mesh, int width, int height) {
   SCOPED_TRACE(testing::Message() << width << "x" << height);
-  SnappedSource source(kContract, std::make_unique<MeshReader>(
-                                      mesh, framing_view(mesh, width, height), width, height, 14));
+  SnappedSource source(kContract,
+                       mesh_reader(mesh, framing_view(mesh, width, height), width, height));
   const Extent e(all_triangles(&source));
   EXPECT_GE(e.low_x, 0);
   EXPECT_LE(e.high_x, width);
@@ -72,16 +72,14 @@ TEST(FramingView, MeshWithoutSizeOrWithoutAnythingIsNoTrouble) {
   point.position = {{3, 4, 5}};
   point.normal = {{0, 1, 0}};
   point.triangle = {{0, 0, 0}};
-  SnappedSource one(kContract,
-                    std::make_unique<MeshReader>(point, framing_view(point, 64, 48), 64, 48, 14));
+  SnappedSource one(kContract, mesh_reader(point, framing_view(point, 64, 48), 64, 48));
   const auto drawn = all_triangles(&one);
   ASSERT_EQ(drawn.size(), 1u);
   EXPECT_NEAR(drawn[0].v[0].x, 32 * 256, 1);
   EXPECT_NEAR(drawn[0].v[0].y, 24 * 256, 1);
 
   point.position[0][1] = std::numeric_limits<double>::infinity();
-  SnappedSource none(kContract,
-                     std::make_unique<MeshReader>(point, framing_view(point, 64, 48), 64, 48, 14));
+  SnappedSource none(kContract, mesh_reader(point, framing_view(point, 64, 48), 64, 48));
   EXPECT_TRUE(all_triangles(&none).empty());
   EXPECT_EQ(none.counters().nan_dropped, 1u);
 }
@@ -105,7 +103,7 @@ TEST(CameraView, RightIsRightUpIsUpNearIsLessAndFrontIsCounterClockwise) {
   mesh.normal = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
   mesh.triangle = {{0, 1, 2}};
   const View view = camera_view(Camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 40}, mesh, 64, 64);
-  SnappedSource source(kContract, std::make_unique<MeshReader>(mesh, view, 64, 64, 14));
+  SnappedSource source(kContract, mesh_reader(mesh, view, 64, 64));
   spec::Triangle t;
   ASSERT_TRUE(source.next(&t));
   const auto& v = t.v;
@@ -124,7 +122,7 @@ TEST(CameraView, AngleSpansTheHeight) {
   mesh.normal.resize(3);
   mesh.triangle = {{0, 1, 2}};
   const View view = camera_view(Camera{{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, 90}, mesh, 200, 100);
-  SnappedSource source(kContract, std::make_unique<MeshReader>(mesh, view, 200, 100, 14));
+  SnappedSource source(kContract, mesh_reader(mesh, view, 200, 100));
   spec::Triangle t;
   ASSERT_TRUE(source.next(&t));
   EXPECT_EQ(t.v[0].y, 0);
@@ -135,7 +133,7 @@ TEST(CameraView, AngleSpansTheHeight) {
 TEST(CameraView, LookingAwayClipsEverythingAway) {
   const Mesh pot = teapot(2);
   const View view = camera_view(Camera{{0, 0, 9}, {0, 0, 20}, {0, 1, 0}, 40}, pot, 64, 64);
-  SnappedSource source(kContract, std::make_unique<MeshReader>(pot, view, 64, 64, 14));
+  SnappedSource source(kContract, mesh_reader(pot, view, 64, 64));
   EXPECT_TRUE(all_triangles(&source).empty());
   EXPECT_EQ(source.counters().clipped_away, pot.triangle.size());
 }
@@ -143,7 +141,7 @@ TEST(CameraView, LookingAwayClipsEverythingAway) {
 TEST(MeshReader, ColoursOfTheMeshStayAndShadedOnesShowTheForm) {
   Mesh pot = teapot(4);
   const View view = framing_view(pot, 64, 64);
-  SnappedSource shaded(kContract, std::make_unique<MeshReader>(pot, view, 64, 64, 14));
+  SnappedSource shaded(kContract, mesh_reader(pot, view, 64, 64));
   int darkest = 255, brightest = 0;
   for (const auto& t : all_triangles(&shaded)) {
     darkest = std::min(darkest, t.v[0].attr[0]);
@@ -153,7 +151,7 @@ TEST(MeshReader, ColoursOfTheMeshStayAndShadedOnesShowTheForm) {
   EXPECT_GT(brightest, 3 * darkest);
 
   pot.color.assign(pot.position.size(), {1, 2, 3, 4});
-  SnappedSource colored(kContract, std::make_unique<MeshReader>(pot, view, 64, 64, 14));
+  SnappedSource colored(kContract, mesh_reader(pot, view, 64, 64));
   for (const auto& t : all_triangles(&colored)) {
     ASSERT_EQ(t.v[2].attr, (spec::Attributes{1, 2, 3, 4}));
   }
@@ -162,14 +160,14 @@ TEST(MeshReader, ColoursOfTheMeshStayAndShadedOnesShowTheForm) {
 TEST(MeshReader, LitColoursAreShadedAsTheFormIs) {
   Mesh pot = teapot(2);
   const View view = framing_view(pot, 64, 64);
-  SnappedSource clay(kContract, std::make_unique<MeshReader>(pot, view, 64, 64, 14));
+  SnappedSource clay(kContract, mesh_reader(pot, view, 64, 64));
   pot.color.assign(pot.position.size(), {232, 190, 140, 255});  // clay, as a material's colour
   pot.is_lit = true;
-  SnappedSource lit(kContract, std::make_unique<MeshReader>(pot, view, 64, 64, 14));
+  SnappedSource lit(kContract, mesh_reader(pot, view, 64, 64));
   EXPECT_TRUE(same(all_triangles(&clay), all_triangles(&lit)));
   pot.is_lit = false;
   lit.rewind();
-  SnappedSource flat(kContract, std::make_unique<MeshReader>(pot, view, 64, 64, 14));
+  SnappedSource flat(kContract, mesh_reader(pot, view, 64, 64));
   EXPECT_FALSE(same(all_triangles(&lit), all_triangles(&flat)));
 }
 

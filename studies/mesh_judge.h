@@ -1,0 +1,91 @@
+// A mesh's picture before the exact judge: hits, depths and colours from the corners in clip space,
+// whatever the readers' triangles, clipping and snapping made of them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/exact/mesh.h"
+#include "model/scene/mesh_reader.h"
+#include "model/spec/bounds.h"
+
+namespace pineda::studies {
+
+struct MeshJudgement {
+  uint64_t faces = 0;    // judged
+  uint64_t samples = 0;  // hits judged
+  uint64_t banded = 0;   // of these in an edge's band, where there may be a hit or not
+  uint64_t wrong = 0;    // samples of faces: too many hits, too few, a wrong value
+
+  struct Place {
+    int x = 0, y = 0;       // px
+    uint32_t triangle = 0;  // from 0
+    std::string what;       // "1 hit, 0 expected"
+  };
+  std::optional<Place> first;  // by face, then by row
+
+  bool holds() const { return wrong == 0; }
+};
+
+/// What is drawn of one triangle at one sample, visible or not.
+struct MeshHit {
+  int x = 0, y = 0;       // px
+  uint32_t triangle = 0;  // its number
+  uint32_t z = 0;         // depth code
+  std::array<int32_t, 4> color{};
+};
+
+/// Judges the samples of a mesh face by face. A face is what the file states: a polygon in a plane
+/// is judged by its own corners, any other triangle by triangle; the triangles of strips and fans
+/// follow from the file's corners.
+///
+/// Bits     a corner may be moved by half a subpixel and a binary32 rounding at the guard band.
+/// Hits
+///          must be right in number outside of the bands that this gives the edges, and nowhere
+///          more than one of a triangle. A depth must lie within the design's bound of the depths
+///          that the triangle has so near to the sample, a colour within the design's bound and the
+///          rounding of the corners' colours; a flat one must be the provoking vertex's.
+/// Drops    depths under a depth bias with a slope; colours of a triangle in perspective where the
+///          design interpolates affinely: not judged here.
+class MeshJudge {
+ public:
+  MeshJudge(const scene::ClipMesh& mesh, const spec::Contract& contract,
+            const spec::FrameState& frame);
+
+  /// In order of the triangles' numbers.
+  void hit(const MeshHit& hit);
+  /// Judges what is left, faces without a hit too.
+  MeshJudgement finish();
+
+ private:
+  struct Face;
+  struct Sample {
+    int x, y;
+  };
+
+  Face face_at(uint32_t triangle);
+  std::vector<exact::ClipCorner> corners_of(const std::vector<uint32_t>& indices) const;
+  const scene::ClipVertex& polygon_provoking(const Face& face, uint32_t triangle) const;
+  void judge_until(uint32_t triangle);
+  void judge(const Face& face);
+  void judge_samples(const Face& face, Sample at, size_t begin, size_t end, int expected);
+  std::string wrong_value(const Face& face, const MeshHit& hit) const;
+  std::string wrong_color(const std::array<uint32_t, 3>& corner, const scene::ClipVertex& provoking,
+                          const exact::FaceValues& values, const MeshHit& hit) const;
+  void note(Sample at, uint32_t triangle, const std::string& what);
+
+  const scene::ClipMesh& mesh_;
+  spec::Contract contract_;
+  spec::FrameState frame_;
+  exact::MeshFrame exact_frame_;
+  spec::ErrorBounds bounds_;
+  uint32_t next_ = 0;          // the first triangle that is not judged yet
+  size_t list_ = 0;            // the polygon, strip or fan that it is of, or the next one
+  std::vector<MeshHit> hits_;  // of the face that is being drawn
+  std::vector<int8_t> expected_;
+  MeshJudgement judgement_;
+};
+
+}  // namespace pineda::studies

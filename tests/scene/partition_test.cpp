@@ -1,0 +1,139 @@
+#include "model/scene/partition.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace pineda::scene {
+namespace {
+
+int64_t turn(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+  return int64_t{b[0] - a[0]} * (c[1] - a[1]) - int64_t{b[1] - a[1]} * (c[0] - a[0]);
+}
+
+std::vector<Piece> cut(const std::vector<GridPoint>& polygon, bool clockwise = true) {
+  std::vector<Piece> pieces;
+  partition(polygon, clockwise, &pieces);
+  return pieces;
+}
+
+std::vector<int64_t> areas(const std::vector<GridPoint>& p, const std::vector<Piece>& pieces) {
+  std::vector<int64_t> all;
+  for (const Piece& t : pieces) all.push_back(turn(p[t[0]], p[t[1]], p[t[2]]));
+  return all;
+}
+
+TEST(Partition, ConvexPolygonStaysTheFanFromItsFirstPoint) {
+  const std::vector<GridPoint> hexagon = {{0, 0}, {10, -5}, {20, 0}, {20, 10}, {10, 15}, {0, 10}};
+  EXPECT_EQ(cut(hexagon), (std::vector<Piece>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}));
+}
+
+TEST(Partition, FanWithTrianglesWithoutAreaStaysAFan) {
+  // A point twice, and one on a side.
+  const std::vector<GridPoint> quad = {{0, 0}, {5, 0}, {10, 0}, {10, 0}, {10, 10}};
+  EXPECT_EQ(cut(quad), (std::vector<Piece>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
+}
+
+// The pentagon's second corner was snapped inwards: the fan's first triangle turns over.
+TEST(Partition, PolygonBentInwardsIsCoveredOnceByTrianglesOfOneOrientation) {
+  const std::vector<GridPoint> bent = {{0, 0}, {500, 1}, {1000, 0}, {1000, 800}, {0, 800}};
+  ASSERT_LT(turn(bent[0], bent[1], bent[2]), 0);
+  const auto all = areas(bent, cut(bent));
+  EXPECT_EQ(all.size(), 3u);
+  EXPECT_TRUE(std::all_of(all.begin(), all.end(), [](int64_t area) { return area > 0; }));
+  int64_t sum = 0;
+  for (const int64_t area : all) sum += area;
+  EXPECT_EQ(sum, 2 * 1000 * 800 - 1000);
+}
+
+TEST(Partition, PolygonThatCrossesItselfBecomesItsHullTurnedAsBefore) {
+  const std::vector<GridPoint> bow = {{0, 0}, {100, 1}, {100, 0}, {0, 1}};
+  for (const bool clockwise : {true, false}) {
+    const auto all = areas(bow, cut(bow, clockwise));
+    ASSERT_EQ(all.size(), 2u);
+    for (const int64_t area : all) EXPECT_EQ(area, clockwise ? 100 : -100);
+  }
+}
+
+TEST(Partition, WithoutAreaOneTriangleWithoutAreaIsLeft) {
+  const std::vector<GridPoint> line = {{0, 0}, {4, 4}, {8, 8}, {2, 2}, {1, 1}};
+  const std::vector<GridPoint> point(7, {3, 3});
+  for (const auto& polygon : {line, point}) {
+    const auto all = areas(polygon, cut(polygon));
+    ASSERT_GE(all.size(), 1u);
+    EXPECT_TRUE(std::all_of(all.begin(), all.end(), [](int64_t area) { return area == 0; }));
+  }
+}
+
+// Convex polygons a few grid steps wide: of each, no point of a finer grid lies in two triangles,
+// all turn one way, and what lies deeper inside than snapping reaches is covered.
+TEST(Partition, SnappedConvexPolygonsAreCoveredOnceWhateverSnappingDidToThem) {
+  std::mt19937 random(1);
+  const auto number = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  int bent = 0, inside = 0;
+  for (int n = 0; n < 20000; ++n) {
+    const size_t corners = 4 + random() % 5;
+    std::vector<double> angle(corners);
+    for (double& a : angle) a = number(0, 2 * M_PI);
+    std::sort(angle.begin(), angle.end());
+    const double wide = number(.3, 8), tall = number(.3, 3), tilt = number(0, M_PI);
+    std::vector<std::array<double, 2>> convex;
+    std::vector<GridPoint> snapped;
+    for (const double a : angle) {
+      const double x = wide * std::cos(a), y = tall * std::sin(a);
+      convex.push_back({x * std::cos(tilt) - y * std::sin(tilt) + .3,
+                        x * std::sin(tilt) + y * std::cos(tilt) + .1});
+      // Eight fine steps a grid step; the samples below lie between fine steps.
+      const auto grid = [](double v) { return 8 * static_cast<int32_t>(std::nearbyint(v)); };
+      snapped.push_back({grid(convex.back()[0]), grid(convex.back()[1])});
+    }
+    const auto pieces = cut(snapped);
+    const auto all = areas(snapped, pieces);
+    const bool positive = std::all_of(all.begin(), all.end(), [](int64_t a) { return a >= 0; });
+    const bool negative = std::all_of(all.begin(), all.end(), [](int64_t a) { return a <= 0; });
+    ASSERT_TRUE(positive || negative) << n;
+    for (size_t i = 1; i + 1 < corners; ++i) {
+      if (turn(snapped[0], snapped[i], snapped[i + 1]) >= 0) continue;
+      ++bent;
+      break;
+    }
+    for (int k = 0; k < 40; ++k) {
+      // On no line through grid points: odd multiples of 1/1024 fine steps.
+      const double x = std::floor(number(-9, 9) * 8 * 512) / 512 + 1. / 1024;
+      const double y = std::floor(number(-9, 9) * 8 * 512) / 512 + 1. / 2048;
+      int hits = 0;
+      for (const Piece& t : pieces) {
+        int left = 0, right = 0;
+        for (size_t i = 0; i < 3; ++i) {
+          const GridPoint &a = snapped[t[i]], &b = snapped[t[(i + 1) % 3]];
+          const double side = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+          left += side > 0 ? 1 : 0;
+          right += side < 0 ? 1 : 0;
+        }
+        hits += left == 3 || right == 3 ? 1 : 0;
+      }
+      ASSERT_LE(hits, 1) << n << testing::PrintToString(snapped) << testing::PrintToString(pieces)
+                         << x << " " << y;
+      double nearest = 1e9;  // to a side of the unsnapped polygon, in grid steps
+      for (size_t i = 0; i < corners; ++i) {
+        const auto &a = convex[i], &b = convex[(i + 1) % corners];
+        const double dx = b[0] - a[0], dy = b[1] - a[1];
+        nearest = std::min(nearest, (dx * (y / 8 - a[1]) - dy * (x / 8 - a[0])) /
+                                        (std::abs(dx) + std::abs(dy) + 1e-300));
+      }
+      if (nearest < .5) continue;
+      ++inside;
+      ASSERT_EQ(hits, 1) << n;
+      ASSERT_TRUE(positive) << n;
+    }
+  }
+  EXPECT_GT(bent, 500);
+  EXPECT_GT(inside, 5000);
+}
+
+}  // namespace
+}  // namespace pineda::scene
