@@ -48,6 +48,12 @@ class Builder {
   }
   void add(const std::array<uint32_t, 3>& triangle) { part_.triangle.push_back(triangle); }
   void add_provoking(uint32_t vertex) { part_.provoking.push_back(vertex); }
+  /// The corners of a strip or fan as the file states them, all of them known vertices.
+  void add_list(const std::vector<uint32_t>& corners, MeshPolygon::Kind kind, bool is_mirrored) {
+    for (const uint32_t i : corners) part_.corner.push_back(known_.at(i));
+    part_.polygon.push_back({0, static_cast<uint32_t>(corners.size()), 0,
+                             static_cast<uint32_t>(part_.triangle.size()), kind, is_mirrored});
+  }
 
   /// The part, all its normals made where the file has none; how many of the file's were none.
   Mesh finish(uint64_t* bad_normals) {
@@ -128,6 +134,11 @@ Mesh GltfPrimitiveReader::read(const Place& place, const Affine& world) {
     builder.add(triangle);
     // The first vertex of triangle i is (3.7.2.1) the one behind the hub, whichever way it turns.
     if (topology == Topology::kFan) builder.add_provoking(triangle[is_mirrored ? 2 : 1]);
+  }
+  if (topology == Topology::kStrip) {
+    builder.add_list(corners, MeshPolygon::Kind::kStrip, is_mirrored);
+  } else if (topology == Topology::kFan) {
+    builder.add_list(corners, MeshPolygon::Kind::kFan, is_mirrored);
   }
   return builder.finish(&counts_->normals);
 }

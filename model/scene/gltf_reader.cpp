@@ -97,6 +97,12 @@ class Reader {
     add(part.normal, &mesh_.normal);
     add(part.color, &mesh_.color);
     append_provoking(part, first);
+    for (MeshPolygon list : part.polygon) {
+      list.first_corner += static_cast<uint32_t>(mesh_.corner.size());
+      list.first_triangle += static_cast<uint32_t>(mesh_.triangle.size());
+      mesh_.polygon.push_back(list);
+    }
+    for (const uint32_t corner : part.corner) mesh_.corner.push_back(first + corner);
     for (const auto& t : part.triangle) {
       mesh_.triangle.push_back({first + t[0], first + t[1], first + t[2]});
     }
