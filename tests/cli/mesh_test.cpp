@@ -1,0 +1,183 @@
+// Meshes from files as a user sees them: what is drawn, judged and said.
+#include <algorithm>
+#include <set>
+
+#include "tests/cli/program.h"
+
+namespace pineda::test {
+namespace {
+
+/// A small mesh of the fuzzers' first inputs.
+std::string mesh(const std::string& name) {
+  return std::string(PINEDA_CORPUS) + "/" + name.substr(name.rfind('.') + 1) + "/" + name;
+}
+
+struct Drawn {
+  std::vector<uint16_t> hits;
+  std::vector<std::array<uint8_t, 3>> color;
+  std::string depth;  // the bytes of the file
+
+  uint64_t hit_samples() const {
+    return static_cast<uint64_t>(
+        std::count_if(hits.begin(), hits.end(), [](int n) { return n > 0; }));
+  }
+  uint64_t all_hits() const {
+    uint64_t sum = 0;
+    for (const uint16_t n : hits) sum += n;
+    return sum;
+  }
+  /// Of the samples that are hit.
+  std::set<std::array<uint8_t, 3>> colors() const {
+    std::set<std::array<uint8_t, 3>> all;
+    for (size_t i = 0; i < hits.size(); ++i) {
+      if (hits[i] > 0) all.insert(color[i]);
+    }
+    return all;
+  }
+  bool operator==(const Drawn& other) const {
+    return hits == other.hits && color == other.color && depth == other.depth;
+  }
+};
+
+Drawn draw(const std::string& path, Arguments options, std::string* said = nullptr) {
+  const Scratch scratch;
+  Arguments arguments{"render", path, "--dump", scratch.path("d")};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Outcome run = pineda(arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  if (said != nullptr) *said = run.out + run.err;
+  Drawn drawn;
+  const std::string hits = read_bytes(scratch.path("d/hits.u16"));
+  const std::string color = read_bytes(scratch.path("d/color.rgba"));
+  drawn.depth = read_bytes(scratch.path("d/depth.u32"));
+  const auto byte = [](char c) { return static_cast<uint8_t>(c); };
+  for (size_t i = 0; i + 1 < hits.size(); i += 2) {
+    drawn.hits.push_back(static_cast<uint16_t>(byte(hits[i]) | byte(hits[i + 1]) << 8));
+  }
+  for (size_t i = 0; i + 3 < color.size(); i += 4) {
+    drawn.color.push_back({byte(color[i]), byte(color[i + 1]), byte(color[i + 2])});
+  }
+  return drawn;
+}
+
+void expect_check_holds(const std::string& path, Arguments options, uint64_t least_samples) {
+  Arguments arguments{"check", path};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Json found = figures(arguments);
+  EXPECT_EQ(found["holds"], true) << path;
+  EXPECT_EQ(found["mesh"]["wrong"], 0);
+  EXPECT_GE(found["mesh"]["samples"], least_samples);
+}
+
+using Colors = std::set<std::array<uint8_t, 3>>;
+
+TEST(Mesh, FlatColourIsTheFirstVertexsAlsoBehindTheNearPlane) {
+  const Arguments options{"--size", "64x64", "--eye", "0,0,5", "--shade", "flat"};
+  EXPECT_EQ(draw(mesh("flat_near_v0out.ply"), options).colors(), (Colors{{255, 0, 0}}));
+  expect_check_holds(mesh("flat_near_v0out.ply"), options, 500);
+}
+
+TEST(Mesh, FrameOfTheGuardBandsSizeIsFilled) {
+  EXPECT_EQ(draw(mesh("wall.ply"), {"--size", "16384x4", "--eye", "0,0,5"}).all_hits(), 65536u);
+}
+
+TEST(Mesh, DesignThatIsNeededForAFrameDrawsAllOfIt) {
+  const Scratch scratch;
+  const Arguments camera{"--size", "256x256", "--eye", "0,0,5"};
+  Arguments needs{"needs", mesh("wall.ply"), "-o", scratch.path("small.toml")};
+  needs.insert(needs.end(), camera.begin(), camera.end());
+  const Outcome run = pineda(needs);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  Arguments with = camera;
+  with.insert(with.end(), {"--design", scratch.path("small.toml")});
+  EXPECT_NE(read_bytes(scratch.path("small.toml")).find("guard_bits = 8"), std::string::npos);
+  EXPECT_EQ(draw(mesh("wall.ply"), with).all_hits(), 65536u);
+}
+
+TEST(Mesh, FanHasTheColoursOfItsListOfTriangles) {
+  const Arguments options{"--eye", "0,0,5", "--shade", "flat", "--size", "64x48"};
+  const Drawn fan = draw(mesh("fan.gltf"), options);
+  EXPECT_EQ(fan.colors().size(), 3u);
+  EXPECT_TRUE(fan == draw(mesh("fan_list.gltf"), options));
+  expect_check_holds(mesh("fan.gltf"), options, 100);
+}
+
+TEST(Mesh, NoSampleOfATriangleIsHitTwiceWhereSnappingTurnsAPieceOver) {
+  const Arguments options{
+      "--size",  "96x72", "--eye=.9999,.5,.5", "--look-at=-.45,-.572,-.172", "--fov=178",
+      "--depth", "off"};
+  const Drawn drawn = draw(mesh("dbl_min.ply"), options);
+  EXPECT_EQ(*std::max_element(drawn.hits.begin(), drawn.hits.end()), 1);
+  EXPECT_EQ(drawn.hits[56 * 96 + 24], 1);
+  expect_check_holds(mesh("dbl_min.ply"), options, 30);
+}
+
+TEST(Mesh, ConcavePolygonsAreTheirInsideOnce) {
+  for (const char* name : {"p_arrow_r.ply", "p_u.obj"}) {
+    const Arguments options{"--size", "64x48", "--eye", "0,0,5", "--depth", "off"};
+    const Drawn drawn = draw(mesh(name), options);
+    EXPECT_EQ(drawn.all_hits(), drawn.hit_samples()) << name;
+    expect_check_holds(mesh(name), options, 200);
+  }
+}
+
+TEST(Mesh, OnePolygonHasOneFlatColourWhateverItsFormat) {
+  const Arguments options{"--size", "64x48", "--eye", "0,0,5", "--shade", "flat"};
+  const Drawn obj = draw(mesh("quad.obj"), options);
+  EXPECT_EQ(obj.colors(), (Colors{{255, 0, 0}}));
+  EXPECT_TRUE(obj == draw(mesh("quad.ply"), options));
+}
+
+TEST(Mesh, SameMeshIsTheSamePictureWhateverItsFileHoldsBesides) {
+  const Drawn wanted = draw(mesh("canon.obj"), {"--size", "64x48"});
+  EXPECT_GT(wanted.hit_samples(), 300u);
+  for (const char* name : {"canon.ply", "canon.gltf", "b01_cont.obj", "b06_comment.obj",
+                           "b08_nonormals.obj", "b10_bom_more.obj", "q01_comment_first.ply",
+                           "g01_req_KHR_materials_unlit.gltf", "g03_sparse.gltf"}) {
+    EXPECT_TRUE(wanted == draw(mesh(name), {"--size", "64x48"})) << name;
+  }
+}
+
+TEST(Mesh, CarriageReturnAloneEndsNoLine) {
+  const Scratch scratch;
+  const std::string text = read_bytes(mesh("crash_min.obj"));
+  const std::string without = scratch.write("without.obj", "# x" + text.substr(4));
+  EXPECT_TRUE(draw(mesh("crash_min.obj"), {}) == draw(without, {}));
+}
+
+TEST(Mesh, ColoursThatAnAffineDesignGetsWrongAreSaid) {
+  std::string said;
+  draw(mesh("floor1.ply"), {}, &said);
+  EXPECT_NE(said.find("interpolates colours affinely"), std::string::npos) << said;
+  draw(mesh("floor1.ply"), {"--design", "persp"}, &said);
+  EXPECT_EQ(said.find("affinely"), std::string::npos) << said;
+  draw("teapot", {}, &said);
+  EXPECT_EQ(said.find("affinely"), std::string::npos) << said;
+}
+
+TEST(Mesh, ShortNamesOfColoursAreRead) {
+  EXPECT_GT(draw(mesh("q04_rgb_short.ply"), {"--size", "64x48"}).colors().size(), 50u);
+}
+
+TEST(Mesh, ReversedZIsTheSamePictureWithReversedDepths) {
+  const Drawn usual = draw("teapot", {"--size", "160x120"});
+  const Drawn reversed = draw("teapot", {"--size", "160x120", "--reverse-z"});
+  EXPECT_EQ(usual.hits, reversed.hits);
+  size_t other = 0;
+  for (size_t i = 0; i < usual.color.size(); ++i)
+    other += usual.color[i] != reversed.color[i] ? 1 : 0;
+  EXPECT_LT(other, 5u);  // where depths are equal to a rounding
+  EXPECT_NE(usual.depth, reversed.depth);
+  expect_check_holds("teapot", {"--size", "160x120", "--reverse-z"}, 5000);
+  // What is given wins.
+  std::string said;
+  draw("teapot", {"--reverse-z", "--clear-depth", "1"}, &said);
+  EXPECT_NE(said.find("depth greater"), std::string::npos) << said;
+}
+
+TEST(Mesh, ReversedZIsForMeshes) {
+  EXPECT_TRUE(is_refused(pineda({"render", "grid", "--reverse-z"}), "expected no reversed z"));
+}
+
+}  // namespace
+}  // namespace pineda::test
