@@ -126,6 +126,12 @@ TEST(OpenScene, StateReachesTheScene) {
   }
 }
 
+TEST(OpenScene, AScissorMayBeginLeftOfAndAboveTheFrame) {
+  Options options;
+  options.scissor = Scissor{-5, -6, 30, 40};
+  EXPECT_EQ(unusual_state(open_scene(kContract, "grid", options).frame), "scissor 0,0,25,34 px");
+}
+
 TEST(OpenScene, WhatADesignDoesNotDrawIsSaid) {
   const auto said = [](const spec::Design& design, const spec::FrameState& frame) {
     std::string all;
