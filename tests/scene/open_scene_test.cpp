@@ -170,6 +170,12 @@ TEST(OpenScene, DepthFunctionsThatNothingPassesAreSaid) {
   EXPECT_EQ(said(DepthFunc::kGreater, 1, *flat).find("depth greater"), std::string::npos);
 }
 
+TEST(OpenScene, AScissorMayBeginLeftOfAndAboveTheFrame) {
+  Options options;
+  options.scissor = Scissor{-5, -6, 30, 40};
+  EXPECT_EQ(unusual_state(open_scene(kContract, "grid", options).frame), "scissor 0,0,25,34 px");
+}
+
 TEST(OpenScene, WhatADesignDoesNotDrawIsSaid) {
   const auto said = [](const spec::Design& design, const spec::FrameState& frame) {
     std::string all;
