@@ -13,6 +13,10 @@
 namespace pineda::cli {
 namespace {
 
+constexpr const char* kDump = "/hits.u16, depth.u32, color.rgba";
+constexpr const char* kDumpWithoutHits =
+    "/depth.u32, color.rgba; no hits.u16: hierarchical z hides triangles";
+
 struct RtlOptions : Options {
   std::string out;
   std::string dump;
@@ -35,6 +39,14 @@ Json rtl_json(const RtlOptions& options, const tb::BenchOptions& bench, const Jo
   return json;
 }
 
+void begin_trace(const std::string& path, tb::FrameBench* bench,
+                 std::optional<ReservedFile>* file) {
+  if (path.empty()) return;
+  file->emplace(path);
+  if (bench->trace((*file)->temporary())) return;
+  throw scene::InputError(path, "expected to write it, got: it cannot be opened");
+}
+
 int run(const RtlOptions& options) {
   require_ending("--trace", options.trace, {".fst"});
   const Output output(options);
@@ -44,13 +56,10 @@ int run(const RtlOptions& options) {
   const spec::Contract& contract = job.contract;
   const scene::Scene& scene = job.scene;
   const auto bench_opts = bench_options(options, contract);
-  std::optional<ReservedFile> trace;
-  if (!options.trace.empty()) trace.emplace(options.trace);
   const tb::RtlLibrary library(contract, [&](const std::string& text) { output.say(text); });
   auto bench = std::make_unique<tb::FrameBench>(library, bench_opts);
-  if (trace && !bench->trace(trace->temporary())) {
-    throw scene::InputError(options.trace, "expected to write it, got: it cannot be opened");
-  }
+  std::optional<ReservedFile> trace;
+  begin_trace(options.trace, bench.get(), &trace);
 
   tb::FrameResult result;
   const auto run_frame = [&](tb::Listener* listener) {
@@ -93,9 +102,7 @@ int run(const RtlOptions& options) {
                                     static_cast<double>(result.cycles) / seconds * 1e-6));
   if (!options.out.empty()) output.row("pictures", options.out + "/color.png, depth.png");
   if (!options.dump.empty()) {
-    output.row("dump", options.dump + (frame.hits.empty() ? "/depth.u32, color.rgba; no hits.u16: "
-                                                            "hierarchical z hides triangles"
-                                                          : "/hits.u16, depth.u32, color.rgba"));
+    output.row("dump", options.dump + (frame.hits.empty() ? kDumpWithoutHits : kDump));
   }
   if (!options.trace.empty()) output.row("waveform", options.trace);
   output.json(rtl_json(options, bench_opts, job, result, seconds));
