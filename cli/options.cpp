@@ -58,30 +58,7 @@ scene::Vec3 vector_of(const std::vector<double>& values) {
   return {values[0], values[1], values[2]};
 }
 
-}  // namespace
-
-void add_output_options(CLI::App* command, Options* o) {
-  command->add_option("--json", o->json, "Write the figures as JSON to a file, - for stdout")
-      ->type_name("FILE");
-  command->add_flag("--quiet", o->quiet, "Print nothing but errors");
-}
-
-void add_scene_options(CLI::App* command, Options* o) {
-  command
-      ->add_option(
-          "scene", o->scene,
-          "A .tri, .ptrb, .obj, .ply, .gltf or .glb file, - for a .ptrb on standard input, "
-          "or built in: see `pineda scenes`")
-      ->required()
-      ->type_name("SCENE");
-  command->add_option("--design", o->design, "Design point, see `pineda designs`")
-      ->type_name("NAME|FILE.toml")
-      ->capture_default_str();
-  command
-      ->add_option("--seed", o->seed,
-                   "Seed of what is random: stalls of --stall, scenes random/NAME")
-      ->type_name("N")
-      ->capture_default_str();
+void add_mesh_options(CLI::App* command, Options* o) {
   const std::string meshes = "Meshes";
   command->add_option("--size", o->size, "Frame size in px, 640x480 unless given")
       ->type_name("WxH")
@@ -120,6 +97,9 @@ void add_scene_options(CLI::App* command, Options* o) {
       ->check(CLI::IsMember(scene::words_of<spec::Shade>()))
       ->type_name("SHADE")
       ->group(meshes);
+}
+
+void add_camera_options(CLI::App* command, Options* o) {
   const std::string camera = "Camera (frames the mesh unless --eye or --camera is given)";
   auto* eye = command->add_option("--eye", o->eye, "Position")
                   ->delimiter(',')
@@ -142,6 +122,34 @@ void add_scene_options(CLI::App* command, Options* o) {
       ->type_name("N")
       ->excludes(eye, look_at, fov)
       ->group(camera);
+}
+
+}  // namespace
+
+void add_output_options(CLI::App* command, Options* o) {
+  command->add_option("--json", o->json, "Write the figures as JSON to a file, - for stdout")
+      ->type_name("FILE");
+  command->add_flag("--quiet", o->quiet, "Print nothing but errors");
+}
+
+void add_scene_options(CLI::App* command, Options* o) {
+  command
+      ->add_option(
+          "scene", o->scene,
+          "A .tri, .ptrb, .obj, .ply, .gltf or .glb file, - for a .ptrb on standard input, "
+          "or built in: see `pineda scenes`")
+      ->required()
+      ->type_name("SCENE");
+  command->add_option("--design", o->design, "Design point, see `pineda designs`")
+      ->type_name("NAME|FILE.toml")
+      ->capture_default_str();
+  command
+      ->add_option("--seed", o->seed,
+                   "Seed of what is random: stalls of --stall, scenes random/NAME")
+      ->type_name("N")
+      ->capture_default_str();
+  add_mesh_options(command, o);
+  add_camera_options(command, o);
   add_output_options(command, o);
 }
 

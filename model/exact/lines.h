@@ -20,7 +20,7 @@ struct Approximate {
   long double magnitude = 0;
 
   Approximate() = default;
-  Approximate(long double v) : value(v), magnitude(std::abs(v)) {}  // NOLINT: a number is one
+  explicit Approximate(long double v) : value(v), magnitude(std::abs(v)) {}
   Approximate(long double v, long double m) : value(v), magnitude(m) {}
 };
 inline constexpr long double kErrorOfMagnitude = 64 * std::numeric_limits<long double>::epsilon();

@@ -34,7 +34,9 @@ int least_exponent(const std::vector<ClipCorner>& corners) {
 }
 
 void convert(const std::vector<ClipCorner>& from, std::vector<Corner<Approximate>>* to) {
-  for (const ClipCorner& c : from) to->push_back({c.x, c.y, c.z, c.w});
+  for (const ClipCorner& c : from) {
+    to->push_back({Approximate(c.x), Approximate(c.y), Approximate(c.z), Approximate(c.w)});
+  }
 }
 
 void convert(const std::vector<ClipCorner>& from, std::vector<Corner<Integer>>* to) {
