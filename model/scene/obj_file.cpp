@@ -12,13 +12,13 @@
 namespace pineda::scene {
 namespace {
 
-// Groups, names, materials and display: they add nothing to draw. And what belongs to the curves
-// and surfaces that are counted.
-constexpr std::array<std::string_view, 30> kLeftOut{
-    "vt",     "g",        "o",         "s",          "usemtl",   "mtllib", "vp",    "mg",
-    "maplib", "usemap",   "bevel",     "lod",        "c_interp", "step",   "ctech", "stech",
-    "cstype", "d_interp", "trace_obj", "shadow_obj", "deg",      "bmat",   "parm",  "trim",
-    "hole",   "scrv",     "sp",        "end",        "con",      "res"};
+// Groups, names and display: they add nothing to draw; materials are counted where they are used.
+// And what belongs to the curves and surfaces that are counted.
+constexpr std::array<std::string_view, 29> kLeftOut{
+    "vt",       "g",         "o",          "s",        "mtllib", "vp",    "mg",    "maplib",
+    "usemap",   "bevel",     "lod",        "c_interp", "step",   "ctech", "stech", "cstype",
+    "d_interp", "trace_obj", "shadow_obj", "deg",      "bmat",   "parm",  "trim",  "hole",
+    "scrv",     "sp",        "end",        "con",      "res"};
 constexpr std::array<std::string_view, 7> kSurfaces{"curv", "curv2", "surf", "bzp",
                                                     "bsp",  "cdc",   "cdp"};
 
@@ -61,6 +61,8 @@ void ObjFile::other_statement(std::string_view keyword) {
     ++is_.lines;
   } else if (is_one_of(kSurfaces, keyword)) {
     ++is_.surfaces;
+  } else if (keyword == "usemtl") {
+    ++is_.materials;
   } else if (is_.unknown++ == 0) {
     is_.first_unknown = keyword;
     is_.first_unknown_line = lines_.line();

@@ -26,7 +26,7 @@ struct ObjStatements {
   std::vector<uint32_t> corners;  // of each face, in order
 
   uint64_t missing_normals = 0;  // corners that name a normal that there is not
-  uint64_t points = 0, lines = 0, surfaces = 0;
+  uint64_t points = 0, lines = 0, surfaces = 0, materials = 0;
   uint64_t unknown = 0;  // lines
   uint64_t first_unknown_line = 0;
   std::string first_unknown;  // its keyword

@@ -117,6 +117,7 @@ void warn(const std::string& name, const ObjStatements& file, uint64_t unusable_
   say(file.points, fmt::format("left out {} points (lines 'p ...')", file.points));
   say(file.lines, fmt::format("left out {} polylines (lines 'l ...')", file.lines));
   say(file.surfaces, fmt::format("left out {} curves and surfaces", file.surfaces));
+  say(file.materials, fmt::format("materials not used ({} lines 'usemtl ...')", file.materials));
   say(file.unknown, fmt::format("left out {} lines of unknown meaning, first {} in line {}",
                                 file.unknown, quoted(file.first_unknown), file.first_unknown_line));
 }

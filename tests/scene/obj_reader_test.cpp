@@ -135,14 +135,15 @@ TEST(ObjReader, NanAndInfiniteVerticesDropTheirTrianglesOnly) {
   EXPECT_EQ(opened.source->counters().nan_dropped, 2u);
 }
 
-TEST(ObjReader, OtherLinesAndLineEndsAreLeftOut) {
+TEST(ObjReader, OtherLinesAndLineEndsAreLeftOutAndMaterialsAreSaid) {
   std::vector<std::string> warnings;
   const Mesh mesh = read_text(
       "# comment\r\nmtllib none.mtl\r\no thing\r\ng part\r\nusemtl red\r\ns 1\r\nv 0 0 0 1.0\r\n"
       "v 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\nvt 0 0\r\n",
       &warnings);
   EXPECT_EQ(mesh.triangle.size(), 1u);
-  EXPECT_TRUE(warnings.empty());
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("materials not used (1 lines 'usemtl ...')"), std::string::npos);
 }
 
 // Everything but the polygons, which may be cut or not.
