@@ -178,14 +178,23 @@ std::string mesh_text(const studies::MeshJudgement& j) {
   const std::string judged =
       fmt::format("{} faces from clip space, {} samples, {} of them in an edge's band",
                   grouped(j.faces), grouped(j.samples), grouped(j.banded));
-  if (!j.first) return judged;
-  return fmt::format("{}; {} WRONG, first ({}, {}) of triangle {}: {}", judged, grouped(j.wrong),
-                     j.first->x, j.first->y, j.first->triangle, j.first->what);
+  const std::string bent =
+      j.bent == 0 ? ""
+                  : fmt::format(
+                        "; {} polygons are not plane: judged by the triangles that they "
+                        "were cut into",
+                        grouped(j.bent));
+  if (!j.first) return judged + bent;
+  return fmt::format("{}{}; {} WRONG, first ({}, {}) of triangle {}: {}", judged, bent,
+                     grouped(j.wrong), j.first->x, j.first->y, j.first->triangle, j.first->what);
 }
 
 Json mesh_json(const studies::MeshJudgement& j) {
-  Json json = {
-      {"faces", j.faces}, {"samples", j.samples}, {"banded", j.banded}, {"wrong", j.wrong}};
+  Json json = {{"faces", j.faces},
+               {"bent", j.bent},
+               {"samples", j.samples},
+               {"banded", j.banded},
+               {"wrong", j.wrong}};
   if (j.first) {
     json["first"] = {{"x", j.first->x},
                      {"y", j.first->y},

@@ -30,10 +30,12 @@ struct Judgement {
   }
 };
 
-/// Draws all triangles of the scene on `renderer` and judges them, in bounded memory.
+/// Draws all triangles of the scene on `renderer` and judges them, in bounded memory but for a
+/// mesh's largest face: see studies::MeshJudge.
 Judgement judge(const scene::Scene& scene, core::Renderer* renderer, Progress* progress);
 
-/// "of 320 faces 12,345 samples right, 56 of them in an edge's band", or what is wrong first.
+/// "320 faces from clip space, 12,345 samples, 56 of them in an edge's band", and what is wrong
+/// first.
 std::string mesh_text(const studies::MeshJudgement& judgement);
 Json mesh_json(const studies::MeshJudgement& judgement);
 

@@ -15,6 +15,7 @@ namespace pineda::studies {
 
 struct MeshJudgement {
   uint64_t faces = 0;    // judged
+  uint64_t bent = 0;     // polygons so far from a plane that they were judged by their triangles
   uint64_t samples = 0;  // hits judged
   uint64_t banded = 0;   // of these in an edge's band, where there may be a hit or not
   uint64_t wrong = 0;    // samples of faces: too many hits, too few, a wrong value
@@ -22,7 +23,7 @@ struct MeshJudgement {
   struct Place {
     int x = 0, y = 0;       // px
     uint32_t triangle = 0;  // from 0
-    std::string what;       // "1 hit, 0 expected"
+    std::string what;       // "hits: 1, expected 0"
   };
   std::optional<Place> first;  // by face, then by row
 
@@ -41,16 +42,22 @@ struct MeshHit {
 /// is judged by its own corners, any other triangle by triangle; the triangles of strips and fans
 /// follow from the file's corners.
 ///
-/// Bits     a corner may be moved by half a subpixel and a binary32 rounding at the guard band.
-/// Hits
-///          must be right in number outside of the bands that this gives the edges, and nowhere
-///          more than one of a triangle. A depth must lie within the design's bound of the depths
-///          that the triangle has so near to the sample, a colour within the design's bound and the
-///          rounding of the corners' colours; a flat one must be the provoking vertex's.
+/// Bits     a corner may be moved by half a subpixel and a binary32 rounding at the guard band; one
+/// of
+///          a polygon that is not quite plane also by its way into the plane, up to kBentPx. Hits
+///          must be right in number outside of the bands that this gives the edges (and the
+///          diagonals along which a polygon was cut, where snapping may turn a triangle over), and
+///          nowhere more than one of a triangle. A depth must lie within the design's bound, and
+///          the rounding of a corner's binary32, of those that the triangle has so near to the
+///          sample; a colour within the design's bound and the rounding of the corners' colours; a
+///          flat one must be the provoking vertex's.
+/// In       memory: 32 bytes a hit of the largest face.
 /// Drops    depths under a depth bias with a slope; colours of a triangle in perspective where the
 ///          design interpolates affinely: not judged here.
 class MeshJudge {
  public:
+  static constexpr double kBentPx = .25;
+
   MeshJudge(const scene::ClipMesh& mesh, const spec::Contract& contract,
             const spec::FrameState& frame);
 
@@ -66,10 +73,12 @@ class MeshJudge {
   };
 
   Face face_at(uint32_t triangle);
-  std::vector<exact::ClipCorner> corners_of(const std::vector<uint32_t>& indices) const;
-  const scene::ClipVertex& polygon_provoking(const Face& face, uint32_t triangle) const;
+  void take_polygon(Face* face);
+  std::array<uint32_t, 3> corners_of(const Face& face, uint32_t triangle) const;
+  const scene::ClipVertex& provoking(const Face& face, uint32_t triangle) const;
   void judge_until(uint32_t triangle);
   void judge(const Face& face);
+  bool is_near_diagonal(const Face& face, Sample at) const;
   void judge_samples(const Face& face, Sample at, size_t begin, size_t end, int expected);
   std::string wrong_value(const Face& face, const MeshHit& hit) const;
   std::string wrong_color(const std::array<uint32_t, 3>& corner, const scene::ClipVertex& provoking,

@@ -46,9 +46,14 @@ struct Range {
   double high = 0;
 };
 
-/// Do the corners lie in a plane, as far as 22 bits of the greatest coordinate tell? Faces of which
-/// this is not so have no picture before they are cut into triangles.
-bool is_plane(const std::vector<ClipCorner>& corners);
+/// A polygon moved into its mean plane, as seen along its Newell normal.
+struct FlatPolygon {
+  std::vector<ClipCorner> corner;
+  // The most by which that moved a corner's x or y on the frame, in px. Infinite where the polygon
+  // has no normal, or where a corner that it moved does not lie in front of the eye.
+  double moved_px = 0;
+};
+FlatPolygon flattened(const std::vector<ClipCorner>& corners, const MeshFrame& frame);
 
 /// A face: a plane polygon without holes that does not cross itself, in any position to the eye.
 ///
@@ -73,7 +78,6 @@ class FaceJudge {
   Span columns() const { return box_.columns; }
   /// +1: turns counter-clockwise on the screen, -1 clockwise, 0: it is seen from its side.
   int facing() const { return facing_; }
-  bool culled() const { return culled_; }
 
  private:
   struct Planes;  // the lines that bound the face

@@ -1,4 +1,4 @@
-// A triangle's values at a sample, and whether a polygon is plane.
+// A triangle's values at a sample, and a polygon moved into its plane.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,24 +8,43 @@
 
 namespace exact {
 
-bool is_plane(const std::vector<ClipCorner>& corners) {
+FlatPolygon flattened(const std::vector<ClipCorner>& corners, const MeshFrame& frame) {
   using Point = Vector<long double>;
-  Point origin{corners[0].x, corners[0].y, corners[0].w}, normal{};
-  long double greatest = 0;
+  FlatPolygon flat{corners, 0};
+  const ClipCorner& origin = corners[0];
   const auto from_origin = [&](const ClipCorner& c) {
-    return Corner<long double>{c.x - origin[0], c.y - origin[1], 0, c.w - origin[2]};
+    const long double x = origin.x, y = origin.y, w = origin.w;
+    return Corner<long double>{c.x - x, c.y - y, 0, c.w - w};
   };
+  Point normal{}, middle{};
   for (size_t i = 0; i < corners.size(); ++i) {
-    const ClipCorner& c = corners[i];
-    greatest = std::max({greatest, std::abs<long double>(c.x), std::abs<long double>(c.y),
-                         std::abs<long double>(c.w)});
-    const auto n = cross(from_origin(c), from_origin(corners[(i + 1) % corners.size()]));
+    const auto p = from_origin(corners[i]);
+    const auto n = cross(p, from_origin(corners[(i + 1) % corners.size()]));
     for (size_t k = 0; k < normal.size(); ++k) normal[k] += n[k];
+    middle = {middle[0] + p.x, middle[1] + p.y, middle[2] + p.w};
   }
   const long double length = std::hypot(normal[0], normal[1], normal[2]);
-  return std::all_of(corners.begin(), corners.end(), [&](const ClipCorner& c) {
-    return std::abs(dot(normal, from_origin(c))) <= std::ldexp(length * greatest, -22);
-  });
+  const auto count = static_cast<long double>(corners.size());
+  const long double plane =
+      (normal[0] * middle[0] + normal[1] * middle[1] + normal[2] * middle[2]) / count;
+  constexpr double kNowhere = std::numeric_limits<double>::infinity();
+  for (ClipCorner& c : flat.corner) {
+    const long double off = (dot(normal, from_origin(c)) - plane) / length;
+    const long double greatest = std::max(
+        {std::abs<long double>(c.x), std::abs<long double>(c.y), std::abs<long double>(c.w)});
+    if (std::abs(off) <= std::ldexp(greatest, -40)) continue;  // roundings
+    const ClipCorner from = c;
+    c.x = static_cast<double>(c.x - off * normal[0] / length);
+    c.y = static_cast<double>(c.y - off * normal[1] / length);
+    c.w = static_cast<double>(c.w - off * normal[2] / length);
+    const double dx = (c.x / c.w - from.x / from.w) * frame.width / 2;
+    const double dy = (c.y / c.w - from.y / from.w) * frame.height / 2;
+    const double moved = std::max(std::abs(dx), std::abs(dy));
+    const bool is_seen = from.w > 0 && c.w > 0 && std::isfinite(moved);
+    flat.moved_px = std::max(flat.moved_px, is_seen ? moved : kNowhere);
+  }
+  if (!(length > 0)) flat.moved_px = kNowhere;
+  return flat;
 }
 
 FaceValues::FaceValues(const std::array<ClipCorner, 3>& corner, const MeshFrame& frame)

@@ -181,7 +181,7 @@ TEST(FaceJudge, ConcavePolygonIsHitAsItsSignedTrianglesSay) {
   for (int n = 0; n < 60; ++n) {
     const MeshFrame frame{kWidth, kHeight};
     const auto polygon = star(&random, 10);
-    ASSERT_TRUE(is_plane(polygon));
+    ASSERT_EQ(flattened(polygon, frame).moved_px, 0);
     const auto all = judged(FaceJudge(polygon, frame));
     std::vector<int> wanted(all.size()), any(all.size());
     bool on_edge = false;
@@ -270,13 +270,22 @@ TEST(FaceJudge, CornersOfAnyExponentAreDecidedExactly) {
   }
 }
 
-TEST(IsPlane, TellsARoundingFromABend) {
+TEST(Flattened, MovesCornersIntoThePlaneAndSaysHowFarThatIsSeen) {
+  const MeshFrame frame{kWidth, kHeight};
   std::vector<ClipCorner> quad = {{0, 0, 0, 1}, {1, 0, 0, 2}, {1, 1, 0, 3}, {0, 1, 0, 2}};
-  EXPECT_TRUE(is_plane(quad));
-  quad[2].w += 1e-8;
-  EXPECT_TRUE(is_plane(quad));
-  quad[2].w += 1e-5;
-  EXPECT_FALSE(is_plane(quad));
+  EXPECT_EQ(flattened(quad, frame).moved_px, 0);
+  quad[2].w += 1e-3;
+  const FlatPolygon flat = flattened(quad, frame);
+  EXPECT_GT(flat.moved_px, 1e-4);
+  EXPECT_LT(flat.moved_px, 1e-2);
+  EXPECT_LT(flattened(flat.corner, frame).moved_px, 1e-12);
+  // Behind the eye it is seen nowhere, unless it is plane.
+  for (ClipCorner& c : quad) c.w -= 2;
+  EXPECT_TRUE(std::isinf(flattened(quad, frame).moved_px));
+  quad[2].w -= 1e-3;
+  EXPECT_EQ(flattened(quad, frame).moved_px, 0);
+  // Without a normal.
+  EXPECT_TRUE(std::isinf(flattened({{0, 0, 0, 1}, {1, 0, 0, 1}, {2, 0, 0, 1}}, frame).moved_px));
 }
 
 TEST(FaceJudge, CornersThatAreNoNumbersAreRefused) {

@@ -3,78 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
-#include "model/scene/triangulate.h"
 #include "studies/front_end.h"
 #include "studies/truth.h"
 #include "tests/studies/closed_meshes.h"
+#include "tests/studies/shot.h"
 
 namespace pineda::studies {
 namespace {
 
 using scene::ClipMesh;
 using scene::Mesh;
-
-/// A mesh before a camera, on a frame, for a design.
-struct Shot {
-  Mesh mesh;
-  scene::Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 33};
-  spec::FrameState frame;
-  spec::Design design = spec::kHighTile;
-
-  ClipMesh seen() const {
-    return clip_mesh(mesh, camera_view(camera, mesh, frame.width, frame.height));
-  }
-};
-
-Shot shot_of(Mesh mesh, int width, int height) {
-  Shot shot;
-  shot.mesh = std::move(mesh);
-  shot.frame.width = width;
-  shot.frame.height = height;
-  return shot;
-}
-
-exact::ScreenTriangle stated(const scene::ScreenTriangle& t) {
-  exact::ScreenTriangle result;
-  for (size_t i = 0; i < 3; ++i) {
-    const scene::ScreenVertex& v = t.v[i];
-    result[i] = {v.x, v.y, v.z, v.w, {v.rgba[0], v.rgba[1], v.rgba[2], v.rgba[3]}};
-  }
-  return result;
-}
-
-std::vector<SceneTriangle> snapped(const spec::Contract& contract,
-                                   std::unique_ptr<scene::ScreenReader> reader) {
-  scene::SnappedSource source(contract, std::move(reader));
-  std::vector<SceneTriangle> pieces;
-  for (SceneTriangle t; source.next(&t.snapped); pieces.push_back(t)) {
-    t.screen = stated(source.screen());
-  }
-  return pieces;
-}
-
-std::vector<SceneTriangle> pieces_of(const Shot& shot, const ClipMesh& seen) {
-  const auto contract = spec::contract(shot.design);
-  return snapped(contract, std::make_unique<scene::MeshReader>(
-                               std::make_shared<const ClipMesh>(seen), shot.frame, contract));
-}
-
-MeshJudgement judged(const Shot& shot) {
-  const ClipMesh seen = shot.seen();
-  return judge_front_end(seen, shot.frame, pieces_of(shot, seen), shot.design);
-}
-
-std::string what(const MeshJudgement& j) { return j.first ? j.first->what : ""; }
-
-Mesh mesh_of(std::vector<scene::Vec3> position, std::vector<scene::Rgba> color) {
-  Mesh mesh;
-  mesh.normal.assign(position.size(), {0, 0, 1});
-  mesh.position = std::move(position);
-  mesh.color = std::move(color);
-  return mesh;
-}
 
 // The first corner, red, lies behind the eye.
 Shot near_shot() {
@@ -195,15 +133,6 @@ TEST(MeshJudge, NoSampleOfATriangleIsHitTwiceWhateverSnappingTurnsOver) {
   EXPECT_EQ(fan.first->y, 56);
 }
 
-Mesh polygon_mesh(const std::vector<scene::Vec3>& position) {
-  std::vector<scene::Rgba> color(position.size(), {50, 100, 150, 255});
-  Mesh mesh = mesh_of(position, color);
-  std::vector<uint32_t> all;
-  for (uint32_t i = 0; i < position.size(); ++i) all.push_back(i);
-  scene::PolygonCutter(&mesh).add(all.data(), all.size());
-  return mesh;
-}
-
 // The mutant: cut as a fan, a concave polygon's outside is hit, some of it twice.
 TEST(MeshJudge, TakesTheFilesPolygonNotTheReadersTriangles) {
   const std::vector<scene::Vec3> arrow = {
@@ -276,48 +205,13 @@ TEST(MeshJudge, SeesADepthAColourATriangleAndASampleThatAreWrong) {
   };
   EXPECT_EQ(judge_with([](auto*) {}), "");
   EXPECT_EQ(judge_with([](auto* all) { all->erase(all->begin() + 7); }), "hits: 0, expected 1");
-  EXPECT_EQ(judge_with([](auto* all) { for (auto& v : (*all)[7].screen) v.x += 3; }).substr(0, 5), "hits:");
+  EXPECT_EQ(judge_with([](auto* all) {
+              for (auto& v : (*all)[7].screen) v.x += 3;
+            }).substr(0, 5),
+            "hits:");
   EXPECT_EQ(judge_with([](auto* all) { (*all)[7].screen[1].z += .01f; }).substr(0, 6), "depth:");
   EXPECT_EQ(judge_with([](auto* all) { (*all)[7].screen[2].rgba[1] ^= 128; }).substr(0, 9),
             "colour 1:");
-}
-
-/// So many random cameras: 50, or as PINEDA_CAMERAS says.
-int cameras() {
-  const char* wanted = std::getenv("PINEDA_CAMERAS");
-  return wanted != nullptr ? std::atoi(wanted) : 50;
-}
-
-Shot random_shot(uint64_t seed) {
-  scene::Random random(seed);
-  auto meshes = closed_meshes();
-  Shot shot = shot_of(std::move(meshes[random.bits() % meshes.size()].mesh), 0, 0);
-  shot.camera = random_camera(&random);
-  shot.design.guard_bits = random.in(8, 14);
-  shot.design.subpixel_bits = random.coin() ? 8 : random.in(4, 12);
-  const int widest = random.in(0, 9) == 0 ? 1 << shot.design.guard_bits : 128;
-  shot.frame.width = random.in(1, widest);
-  shot.frame.height =
-      random.in(1, std::min(1 << shot.design.guard_bits, std::max(1, 8192 / shot.frame.width)));
-  shot.frame.cull = static_cast<spec::Cull>(random.in(0, 2));
-  shot.frame.shade = static_cast<spec::Shade>(random.in(0, 1));
-  return shot;
-}
-
-TEST(MeshJudge, ClosedMeshesAreHitAsRaysCrossThemFromRandomCameras) {
-  uint64_t samples = 0, banded = 0, faces = 0;
-  for (int seed = 1; seed <= cameras(); ++seed) {
-    const MeshJudgement j = judged(random_shot(static_cast<uint64_t>(seed)));
-    ASSERT_EQ(what(j), "") << "seed " << seed << ": (" << j.first->x << ", " << j.first->y
-                           << ") of triangle " << j.first->triangle << ", " << j.wrong << " wrong";
-    samples += j.samples;
-    banded += j.banded;
-    faces += j.faces;
-  }
-  std::cout << cameras() << " cameras, " << faces << " faces, " << samples << " hits, " << banded
-            << " of them in bands\n";
-  EXPECT_GT(samples, 1000u * static_cast<uint64_t>(cameras()));
-  EXPECT_LT(banded, samples / 10);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Debian's assimp-testmodels, made to be hard to read: each is drawn right or refused in one line, and
-// has the triangles that assimp finds in it, or the table says why not.
+// Debian's assimp-testmodels, made to be hard to read: each is drawn right or refused in one line,
+// and has the triangles that assimp finds in it, or the table says why not.
 #include <gtest/gtest.h>
 
 #include <array>
