@@ -175,6 +175,41 @@ TEST(Mesh, ReversedZIsTheSamePictureWithReversedDepths) {
   EXPECT_NE(said.find("depth greater"), std::string::npos) << said;
 }
 
+/// The program with an old fault, and a mesh that shows it.
+struct Mutant {
+  const char* name;
+  const char* file;
+  Arguments options;
+};
+std::ostream& operator<<(std::ostream& to, const Mutant& mutant) { return to << mutant.name; }
+
+class OldFault : public testing::TestWithParam<Mutant> {};
+
+TEST_P(OldFault, IsSeenByCheckOnTheMesh) {
+  const Mutant& mutant = GetParam();
+  Arguments arguments{"check", mesh(mutant.file)};
+  arguments.insert(arguments.end(), mutant.options.begin(), mutant.options.end());
+  Surroundings with_fault;
+  with_fault.program = std::string(PINEDA_MUTANTS) + mutant.name;
+  const Outcome run = pineda(arguments, with_fault);
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_NE(run.out.find(" WRONG, first ("), std::string::npos) << run.out;
+  EXPECT_EQ(pineda(arguments).exit_code, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mesh, OldFault,
+    testing::Values(
+        Mutant{"flat", "flat_near_v0out.ply", {"--size=64x64", "--eye=0,0,5", "--shade=flat"}},
+        Mutant{"guard", "wall.ply", {"--size=16384x4", "--eye=0,0,5"}},
+        Mutant{"fan", "fan.gltf", {"--size=64x48", "--eye=0,0,5", "--shade=flat"}},
+        Mutant{"pieces",
+               "dbl_min.ply",
+               {"--size=96x72", "--eye=.9999,.5,.5", "--look-at=-.45,-.572,-.172", "--fov=178",
+                "--depth=off"}},
+        Mutant{"polygon", "p_arrow_r.ply", {"--size=64x48", "--eye=0,0,5"}}),
+    [](const auto& row) { return std::string(row.param.name); });
+
 TEST(Mesh, ReversedZIsForMeshes) {
   EXPECT_TRUE(is_refused(pineda({"render", "grid", "--reverse-z"}), "expected no reversed z"));
 }
