@@ -39,7 +39,8 @@ enum class Memories {
 /// There is no clock and no process: a triangle goes through all units before the next one is
 /// pulled, and carries its cycles with it. Inside a platform run() is called from an SC_THREAD, and
 /// returns when the time of the frame has passed. Memories outside are cleared by the platform
-/// before that, depth to spec::cleared_depth(). One elaboration a process; frames as many as wanted.
+/// before that, depth to spec::cleared_depth(). One elaboration a process; frames as many as
+/// wanted.
 class RasterTop final : public sc_core::sc_module {
  public:
   RasterTop(sc_core::sc_module_name name, const spec::Contract& contract,
