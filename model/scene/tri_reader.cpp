@@ -56,10 +56,11 @@ void TriReader::rewind() {
   read_state();
 }
 
-// Without anything before it; blanks and a comment may follow.
+// Exactly so, but for the carriage return of a CR LF.
 bool TriReader::is_first_line() const {
-  return lines_.raw().substr(0, kFirstLine.size()) == kFirstLine && lines_.words().size() == 2 &&
-         std::string_view(lines_.words()[1]) == "1";
+  std::string_view line = lines_.raw();
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line == kFirstLine;
 }
 
 void TriReader::read_state() {

@@ -81,17 +81,19 @@ TEST(Mesh, FrameOfTheGuardBandsSizeIsFilled) {
   EXPECT_EQ(draw(mesh("wall.ply"), {"--size", "16384x4", "--eye", "0,0,5"}).all_hits(), 65536u);
 }
 
+// A quad that ends between the last samples and the borders of a frame of 2^8 px.
 TEST(Mesh, DesignThatIsNeededForAFrameDrawsAllOfIt) {
   const Scratch scratch;
-  const Arguments camera{"--size", "256x256", "--eye", "0,0,5"};
-  Arguments needs{"needs", mesh("wall.ply"), "-o", scratch.path("small.toml")};
-  needs.insert(needs.end(), camera.begin(), camera.end());
-  const Outcome run = pineda(needs);
+  const std::string quad = scratch.write(
+      "quad.obj",
+      "v -1.4805 -1.4805 0\nv 1.4805 -1.4805 0\nv 1.4805 1.4805 0\nv -1.4805 1.4805 0\n"
+      "f 1 2 3 4\n");
+  const std::string design = scratch.path("small.toml");
+  const Outcome run = pineda({"needs", quad, "-o", design, "--size", "256x256", "--eye", "0,0,5"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  Arguments with = camera;
-  with.insert(with.end(), {"--design", scratch.path("small.toml")});
-  EXPECT_NE(read_bytes(scratch.path("small.toml")).find("guard_bits = 8"), std::string::npos);
-  EXPECT_EQ(draw(mesh("wall.ply"), with).all_hits(), 65536u);
+  ASSERT_NE(read_bytes(design).find("guard_bits = 8"), std::string::npos) << read_bytes(design);
+  const Drawn drawn = draw(quad, {"--size", "256x256", "--eye", "0,0,5", "--design", design});
+  EXPECT_EQ(drawn.all_hits(), 65536u);
 }
 
 TEST(Mesh, FanHasTheColoursOfItsListOfTriangles) {
@@ -108,7 +110,6 @@ TEST(Mesh, NoSampleOfATriangleIsHitTwiceWhereSnappingTurnsAPieceOver) {
       "--depth", "off"};
   const Drawn drawn = draw(mesh("dbl_min.ply"), options);
   EXPECT_EQ(*std::max_element(drawn.hits.begin(), drawn.hits.end()), 1);
-  EXPECT_EQ(drawn.hits[56 * 96 + 24], 1);
   expect_check_holds(mesh("dbl_min.ply"), options, 30);
 }
 

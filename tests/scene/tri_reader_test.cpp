@@ -46,6 +46,8 @@ const std::vector<Refusal> kRefusals = {
     {"OtherVersion", "pineda-tri 2\nsize 8 8\n", ":1: expected the first line 'pineda-tri 1'"},
     {"FirstLineIndented", " pineda-tri 1\nsize 8 8\n", ":1: expected the first line"},
     {"CommentFirst", "# a\n\npineda-tri 2\n", ":3: expected the first line"},
+    {"FirstLineWithABlank", "pineda-tri 1 \nsize 8 8\n", ":1: expected the first line"},
+    {"FirstLineWithAComment", "pineda-tri 1 # 1\nsize 8 8\n", ":1: expected the first line"},
     {"FirstLineOfThree", "pineda-tri 1 1\n", ":1: expected the first line"},
     {"FirstLineOfTwelve", "pineda-tri 12\n", ":1: expected the first line"},
     {"OldMacLineEnds", "pineda-tri 1\rsize 8 8\r", ":1: expected the first line"},
@@ -189,7 +191,7 @@ TEST(TriReader, CommentsByteOrderMarksAndStrayCarriageReturnsChangeNothing) {
         "# made by hand\n\n  # and by foot\n" + scene("size 8 8\ncull back\n"),
         "\xef\xbb\xbf#\n" + scene("size 8 8\ncull back\n"),
         scene("# x\rcull front\n\rsize\r8 8\r\r\ncull back\r\n"),
-        "pineda-tri 1 # the format\nsize 8 8# px\ncull back\t# none, back, front\n" + kTriangle +
+        "pineda-tri 1\nsize 8 8# px\ncull back\t# none, back, front\n" + kTriangle +
             "# v 1 1 0 1 0 0 0 0"}) {
     auto opened = open_text(scratch, text);
     EXPECT_EQ(opened.frame.cull, spec::Cull::kBack);
