@@ -51,6 +51,13 @@ struct State {
   int64_t clear_code() const {
     return static_cast<int64_t>(std::floor(double{clear} * kClearedDepth + .5));
   }
+  /// Of a cleared frame nothing but samples at one end passes: that is said.
+  bool lets_little_pass() const {
+    const auto passes = [&](int64_t depth) { return function.passes(depth, clear_code()); };
+    const bool is_end = clear == 0 || clear == 1;
+    return function.tests && std::string(function.name) != "equal" && !passes(kClearedDepth / 2) &&
+           (is_end || std::string(function.name) == "never");
+  }
   std::string lines() const {
     std::string text = std::string("depth ") + function.name + "\n";
     if (!write) text += "depthwrite off\n";
@@ -168,7 +175,14 @@ class EveryState : public testing::TestWithParam<State> {
     Arguments arguments{command, text_, "--quiet", "--dump", scratch_.path(command)};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome run = pineda(arguments);
-    EXPECT_TRUE(ended_silently(run));
+    if (GetParam().lets_little_pass()) {
+      EXPECT_EQ(run.exit_code, 0);
+      EXPECT_NE(run.err.find(std::string("depth ") + GetParam().function.name + ": "),
+                std::string::npos)
+          << run.err;
+    } else {
+      EXPECT_TRUE(ended_silently(run));
+    }
     return read_dump(scratch_.path(command), scene_);
   }
 };
