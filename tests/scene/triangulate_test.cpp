@@ -10,6 +10,7 @@
 
 #include "model/scene/ears.h"
 #include "model/scene/planar.h"
+#include "model/scene/winding.h"
 #include "tests/scene/polygons.h"
 
 namespace pineda::scene {
@@ -328,8 +329,12 @@ LatticePolygon crossing_at_a_corner() {
   while (true) {
     LatticePolygon p;
     while (p.size() < 9) p.push_back({between(&random, 0, 3), between(&random, 0, 3)});
-    if (twice_area(p) != 0 && cut(p).shape == PolygonShape::kCrossing && surrounds_once(p))
+    const PlanarPolygon polygon(Plane{}.place(p));
+    Triangles none;
+    if (polygon.has_plane() && winds_once(polygon) &&
+        cut_ears(polygon, &none) == EarCut::kImpossible) {
       return p;
+    }
   }
 }
 
