@@ -99,12 +99,13 @@ bool WorkFolder::run(const std::string& command) const {
   }
   setpgid(child, child);  // whoever comes first
   int status = 0;
-  while (waitpid(child, &status, WNOHANG) == 0) {
+  pid_t ended = 0;
+  while ((ended = waitpid(child, &status, WNOHANG)) == 0) {
     if (signals_.came()) kill(-child, SIGKILL);
     std::this_thread::sleep_for(kBetweenLooks);
   }
   if (signals_.came()) throw PluginError("interrupted");  // not said: the program ends before that
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  return ended == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 void sweep_work_folders(const fs::path& cache) {

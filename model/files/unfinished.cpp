@@ -61,11 +61,16 @@ void remove_all() {
   }
 }
 
+/// Lets this one signal through: the handler of another would wait for the lock that is kept.
 void end_by(int signal) {
   struct sigaction plain {};
   plain.sa_handler = SIG_DFL;
   sigaction(signal, &plain, nullptr);
   raise(signal);
+  sigset_t only;
+  sigemptyset(&only);
+  sigaddset(&only, signal);
+  pthread_sigmask(SIG_UNBLOCK, &only, nullptr);
 }
 
 /// Calls nothing that a handler may not.
@@ -114,9 +119,14 @@ Unfinished::~Unfinished() {
 HeldSignals::HeldSignals() { ++held; }
 
 HeldSignals::~HeldSignals() {
-  if (--held > 0 || noted == 0) return;
-  remove_all();
-  end_by(noted);
+  const sigset_t set = signal_set();
+  sigset_t before;
+  pthread_sigmask(SIG_BLOCK, &set, &before);
+  if (--held == 0 && noted != 0) {
+    remove_all();
+    end_by(noted);
+  }
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
 bool HeldSignals::came() const { return noted != 0; }

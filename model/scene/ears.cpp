@@ -1,6 +1,7 @@
 #include "model/scene/ears.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <numeric>
 
@@ -28,10 +29,74 @@ struct Box {
   }
 };
 
+// The blockers, kept in cells of equally many ranks each: an ear looks at those around it alone.
+class Blockers {
+ public:
+  explicit Blockers(const PlanarPolygon& polygon) : polygon_(polygon) {
+    const uint32_t n = polygon.size();
+    uint32_t u_ranks = 1, v_ranks = 1;
+    for (uint32_t i = 0; i < n; ++i) {
+      u_ranks = std::max(u_ranks, polygon.u_rank(i) + 1);
+      v_ranks = std::max(v_ranks, polygon.v_rank(i) + 1);
+    }
+    const uint32_t cells = n / kCornersInACell + 1;
+    const auto side = static_cast<uint32_t>(std::sqrt(cells));
+    // Where one coordinate has few ranks (the teeth of a comb) the other one has the more cells.
+    const uint32_t columns = std::min(u_ranks, cells / std::min(v_ranks, side));
+    const uint32_t rows = std::min(v_ranks, cells / columns);
+    u_width_ = u_ranks / columns + 1;
+    v_width_ = v_ranks / rows + 1;
+    columns_ = u_ranks / u_width_ + 1;
+    cell_.resize(size_t{columns_} * (v_ranks / v_width_ + 1));
+  }
+
+  void add(uint32_t i) {
+    const Blocker blocker{i, polygon_.u_rank(i), polygon_.v_rank(i)};
+    cell_[blocker.v / v_width_ * columns_ + blocker.u / u_width_].push_back(blocker);
+  }
+
+  // Does `is_hit` hold for one in the box? Those for which `is_none` holds are forgotten.
+  template <class IsNone, class IsHit>
+  bool any_in(const Box& box, IsNone&& is_none, IsHit&& is_hit) {
+    for (size_t row = box.low_v / v_width_; row <= box.high_v / v_width_; ++row) {
+      for (size_t column = box.low_u / u_width_; column <= box.high_u / u_width_; ++column) {
+        auto& cell = cell_[row * columns_ + column];
+        steps_ += 1 + cell.size();
+        for (size_t i = 0; i < cell.size();) {
+          const Blocker blocker = cell[i];
+          if (box.holds(blocker)) {
+            if (is_none(blocker.corner)) {
+              cell[i] = cell.back();
+              cell.pop_back();
+              continue;
+            }
+            if (is_hit(blocker.corner)) return true;
+          }
+          ++i;
+        }
+      }
+    }
+    return false;
+  }
+
+  // How many cells and blockers were looked at.
+  uint64_t steps() const { return steps_; }
+
+ private:
+  static constexpr uint32_t kCornersInACell = 8;
+
+  const PlanarPolygon& polygon_;
+  uint32_t u_width_ = 1, v_width_ = 1;  // ranks
+  size_t columns_ = 1;
+  std::vector<std::vector<Blocker>> cell_;  // row by row; among them some that are none any more
+  uint64_t steps_ = 0;
+};
+
 class Cutter {
  public:
   explicit Cutter(const PlanarPolygon& polygon)
       : polygon_(polygon),
+        blockers_(polygon),
         next_(polygon.size()),
         previous_(polygon.size()),
         turn_(polygon.size()),
@@ -43,16 +108,16 @@ class Cutter {
     }
     for (uint32_t i = 0; i < n; ++i) {
       turn_[i] = turn_at(i);
-      if (turn_[i] <= 0) blockers_.push_back({i, polygon.u_rank(i), polygon.v_rank(i)});
+      if (turn_[i] <= 0) blockers_.add(i);
     }
     left_ = n;
   }
 
-  // As many as can be cut; the corners that are left, in order.
-  std::vector<uint32_t> run(Triangles* triangles) {
+  // As many as can be cut in so many steps; the corners that are left, in order.
+  std::vector<uint32_t> run(uint64_t most_steps, Triangles* triangles) {
     bool has_cut = false;
     wait_for_all();
-    while (left_ > 3) {
+    while (left_ > 3 && blockers_.steps() <= most_steps) {
       if (waiting_.empty()) {
         if (!has_cut && care_ == Care::kStraight) break;
         if (!has_cut) care_ = care_ == Care::kClear ? Care::kTouching : Care::kStraight;
@@ -108,25 +173,17 @@ class Cutter {
     const auto u = std::minmax({polygon_.u_rank(a), polygon_.u_rank(b), polygon_.u_rank(c)});
     const auto v = std::minmax({polygon_.v_rank(a), polygon_.v_rank(b), polygon_.v_rank(c)});
     const Box box{u.first, u.second, v.first, v.second};
-    for (size_t i = 0; i < blockers_.size();) {
-      const Blocker blocker = blockers_[i];
-      if (box.holds(blocker)) {
-        if (is_cut(blocker.corner) || turn_[blocker.corner] > 0) {
-          blockers_[i] = blockers_.back();
-          blockers_.pop_back();
-          continue;
-        }
-        if (is_in_the_way(blocker.corner, {a, b, c})) return false;
-      }
-      ++i;
-    }
-    return true;
+    return !blockers_.any_in(
+        box, [&](uint32_t i) { return is_cut(i) || turn_[i] > 0; },
+        [&](uint32_t i) {
+          return is_in_the_way(i, {a, b, c});
+        });
   }
 
   bool is_in_the_way(uint32_t i, const std::array<uint32_t, 3>& ear) const {
     if (i == ear[0] || i == ear[1] || i == ear[2]) return false;
     std::array<int, 3> side;
-    for (size_t k = 0; k < 3; ++k) {
+    for (const size_t k : {2, 0, 1}) {  // most lie beyond the side that is cut
       side[k] = polygon_.turn(ear[k], ear[(k + 1) % 3], i);
       if (side[k] < 0) return false;
     }
@@ -154,20 +211,18 @@ class Cutter {
     for (const uint32_t i : {a, c}) {
       // A cut may turn a spike's corner to the right again.
       const int turn = turn_at(i);
-      if (turn_[i] > 0 && turn <= 0) {
-        blockers_.push_back({i, polygon_.u_rank(i), polygon_.v_rank(i)});
-      }
+      if (turn_[i] > 0 && turn <= 0) blockers_.add(i);
       turn_[i] = turn;
       wait_for(i);
     }
   }
 
   const PlanarPolygon& polygon_;
+  Blockers blockers_;
   std::vector<uint32_t> next_, previous_;  // of the corners left; a corner that is cut: itself
   std::vector<int> turn_;
   std::vector<bool> is_waiting_;
   std::deque<uint32_t> waiting_;
-  std::vector<Blocker> blockers_;  // among them some that are none any more
   uint32_t left_ = 0;
   Care care_ = Care::kClear;
 };
@@ -226,16 +281,17 @@ bool cut_every_way(const PlanarPolygon& polygon, const std::vector<uint32_t>& co
 
 }  // namespace
 
-bool cut_ears(const PlanarPolygon& polygon, Triangles* triangles) {
+EarCut cut_ears(const PlanarPolygon& polygon, Triangles* triangles, uint64_t most_steps) {
   const size_t before = triangles->size();
-  const auto left = Cutter(polygon).run(triangles);
+  const auto left = Cutter(polygon).run(most_steps, triangles);
   // Usually a triangle is left. Where ears were cut that led to no end, the rest, or all of a
   // polygon that is small enough, is searched.
-  if (cut_every_way(polygon, left, triangles)) return true;
+  if (cut_every_way(polygon, left, triangles)) return EarCut::kDone;
   triangles->resize(before);
+  if (polygon.size() > kMostForEveryWay) return EarCut::kUnknown;
   std::vector<uint32_t> all(polygon.size());
   std::iota(all.begin(), all.end(), 0U);
-  return cut_every_way(polygon, all, triangles);
+  return cut_every_way(polygon, all, triangles) ? EarCut::kDone : EarCut::kImpossible;
 }
 
 }  // namespace pineda::scene

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include "model/scene/data_uri.h"
@@ -22,12 +21,26 @@ constexpr uint32_t kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4
 constexpr uint64_t kGreatestBytes = std::numeric_limits<uint32_t>::max();
 
 std::string read_bytes(const std::string& file) {
-  std::ostringstream bytes;
+  constexpr size_t kBlock = size_t{1} << 20;
   const auto stream = open_file(file);
-  if (stream->peek() != std::istream::traits_type::eof()) bytes << stream->rdbuf();
-  if (stream->bad() || !bytes) throw InputError(file, "expected more bytes, got a read error");
-  std::string all = bytes.str();
-  if (all.size() > kGreatestBytes) throw InputError(file, "expected less than 4 GiB");
+  const auto check_size = [&](uint64_t size) {
+    if (size > kGreatestBytes) throw InputError(file, "expected less than 4 GiB");
+  };
+  std::string all;
+  std::error_code none;
+  const auto size = std::filesystem::file_size(file, none);
+  if (!none) {  // a pipe or a device has none, and need not end
+    check_size(size);
+    all.reserve(size + kBlock);
+  }
+  while (*stream) {
+    const size_t before = all.size();
+    all.resize(before + kBlock);
+    stream->read(&all[before], kBlock);
+    all.resize(before + static_cast<size_t>(stream->gcount()));
+    check_size(all.size());
+  }
+  if (stream->bad()) throw InputError(file, "expected more bytes, got a read error");
   return all;
 }
 

@@ -67,7 +67,7 @@ class Builder {
 
  private:
   void add_normal(const Vec3& normal) {
-    if (!(is_finite(normal) && length(normal) > 0)) bad_normals_.push_back(part_.normal.size());
+    if (!is_direction(normal)) bad_normals_.push_back(part_.normal.size());
     part_.normal.push_back(world_.normal(normal));
   }
 

@@ -46,18 +46,26 @@ class Reader {
  private:
   using Place = GltfPrimitiveReader::Place;
 
-  // Those of triangles, of a node that is drawn.
-  template <class Visit>
-  void for_each_primitive(const PlacedNode& placed, Visit&& visit) {
-    if (!placed.node->mesh || !placed.is_visible) return;
+  // Of a node that is drawn; none of another.
+  const std::vector<GltfPrimitive>* primitives_of(const PlacedNode& placed) const {
+    if (!placed.node->mesh || !placed.is_visible) return nullptr;
     const auto at = static_cast<size_t>(*placed.node->mesh);
     const auto& meshes = data_.document().meshes;
     if (at >= meshes.size()) {
       throw InputError(file_, fmt::format("meshes[{}]: expected one of {}", at, meshes.size()));
     }
-    for (size_t i = 0; i < meshes[at].size(); ++i) {
-      if (!topology_of(meshes[at][i])) continue;
-      visit(Place{&meshes[at][i], fmt::format("meshes[{}].primitives[{}]", at, i)});
+    return &meshes[at];
+  }
+
+  // Those of triangles.
+  template <class Visit>
+  void for_each_primitive(const PlacedNode& placed, Visit&& visit) {
+    const auto* primitives = primitives_of(placed);
+    if (primitives == nullptr) return;
+    for (size_t i = 0; i < primitives->size(); ++i) {
+      const GltfPrimitive& primitive = (*primitives)[i];
+      if (!topology_of(primitive)) continue;
+      visit(Place{&primitive, fmt::format("meshes[{}].primitives[{}]", *placed.node->mesh, i)});
     }
   }
 
@@ -65,11 +73,18 @@ class Reader {
   void check_size(const std::vector<PlacedNode>& nodes) {
     size_t primitives = 0, triangles = 0, zero = 0;
     for (const PlacedNode& placed : nodes) {
+      const auto* all = primitives_of(placed);
+      if (all == nullptr) continue;
+      primitives += all->size();
+      if (primitives > kGreatest) {
+        throw InputError(file_, fmt::format("expected at most {} primitives", kGreatest));
+      }
+      count_others(*all);
       for_each_primitive(placed, [&](const Place& place) {
         const auto size = primitives_.size(place);
         triangles += size.triangles;
         zero += size.costs_bytes ? 0 : size.triangles;
-        if (++primitives > kGreatest || triangles > kGreatest) {
+        if (triangles > kGreatest) {
           throw InputError(file_, fmt::format("expected at most {} triangles", kGreatest));
         }
         if (zero > kGreatestZero) {
@@ -78,12 +93,11 @@ class Reader {
                                  kGreatestZero));
         }
       });
-      if (placed.node->mesh && placed.is_visible) count_others(*placed.node->mesh);
     }
   }
 
-  void count_others(int mesh) {
-    for (const auto& primitive : data_.document().meshes[static_cast<size_t>(mesh)]) {
+  void count_others(const std::vector<GltfPrimitive>& primitives) {
+    for (const auto& primitive : primitives) {
       others_ += topology_of(primitive) ? 0 : 1;
     }
   }

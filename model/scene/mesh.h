@@ -47,7 +47,8 @@ struct Mesh {
   // A vertex for each triangle, whose colour is that of flat shading; empty: the first corners. It
   // need not be one of the triangle's.
   std::vector<uint32_t> provoking;
-  // In the order of their triangles, without polygons that cross themselves; and their vertices.
+  // In the order of their triangles, without polygons cut as fans that may be wrong; their
+  // vertices.
   std::vector<MeshPolygon> polygon;
   std::vector<uint32_t> corner;
   std::vector<FileCamera> camera;  // of the file; which is used, if any, is the caller's choice

@@ -12,4 +12,11 @@ namespace pineda::scene {
 std::vector<Vec3> mean_normals(const std::vector<Vec3>& position,
                                const std::vector<std::array<uint32_t, 3>>& triangle);
 
+/// Makes the normals, one a position, of unit length; those that are no directions become the mean.
+///
+/// Out      how many of those the triangles use.
+uint64_t mend_normals(const std::vector<Vec3>& position,
+                      const std::vector<std::array<uint32_t, 3>>& triangle,
+                      std::vector<Vec3>* normal);
+
 }  // namespace pineda::scene

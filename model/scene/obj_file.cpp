@@ -72,7 +72,10 @@ void ObjFile::other_statement(std::string_view keyword) {
 void ObjFile::vertex() {
   const size_t numbers = lines_.words().size() - 1;
   if (numbers != 3 && numbers != 4 && numbers != 6 && numbers != 7) {
-    lines_.expect_words(4, "v X Y Z");
+    throw InputError(
+        file_, lines_.line(),
+        fmt::format("expected 'v X Y Z [W]' or 'v X Y Z R G B [A]', got {} numbers in {}", numbers,
+                    quoted(std::string(lines_.raw()))));
   }
   is_.position.push_back({lines_.number(1), lines_.number(2), lines_.number(3)});
   if (numbers == 4 && lines_.number(4) != 1) lines_.fail("W = 1", lines_.words()[4]);

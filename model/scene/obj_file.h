@@ -20,7 +20,7 @@ struct ObjCorner {
 /// What a file states, its indices checked and from 0.
 struct ObjStatements {
   std::vector<Vec3> position;
-  std::vector<Vec3> normal;  // as stated: maybe not of unit length, or not finite
+  std::vector<Vec3> normal;  // as stated: maybe not of unit length, zero or not finite
   std::vector<Rgba> color;   // of the vertices that have one
   std::vector<ObjCorner> corner;
   std::vector<uint32_t> corners;  // of each face, in order

@@ -11,7 +11,7 @@
 namespace pineda::scene {
 namespace {
 
-// Cuts the faces by their positions alone, for normals where they name none.
+// Of the file's vertices, from the mesh's triangles: `vertex` says whose each mesh vertex is.
 std::vector<Vec3> mean_normals_of(const Mesh& mesh, const std::vector<uint32_t>& vertex,
                                   const std::vector<Vec3>& position) {
   std::vector<std::array<uint32_t, 3>> triangle = mesh.triangle;
@@ -52,7 +52,7 @@ class Builder {
   };
 
   uint32_t vertex_at(ObjCorner corner) {
-    if (corner.normal != ObjCorner::kNoNormal && !is_finite(file_.normal[corner.normal])) {
+    if (corner.normal != ObjCorner::kNoNormal && !is_direction(file_.normal[corner.normal])) {
       corner.normal = ObjCorner::kNoNormal;
       ++unusable_normals_;
     }
@@ -112,8 +112,9 @@ void warn(const std::string& name, const ObjStatements& file, uint64_t unusable_
       fmt::format("{} corners name a normal that there is not: theirs is the mean of the faces",
                   file.missing_normals));
   say(unusable_normals,
-      fmt::format("{} corners name a normal that is not finite: theirs is the mean of the faces",
-                  unusable_normals));
+      fmt::format(
+          "{} corners name a normal that is zero or not finite: theirs is the mean of the faces",
+          unusable_normals));
   say(file.points, fmt::format("left out {} points (lines 'p ...')", file.points));
   say(file.lines, fmt::format("left out {} polylines (lines 'l ...')", file.lines));
   say(file.surfaces, fmt::format("left out {} curves and surfaces", file.surfaces));

@@ -28,7 +28,7 @@ struct PlyElement {
 /// In       "ply", "format ascii|binary_little_endian|binary_big_endian 1.0", elements and their
 ///          properties under the short (uchar) or long (uint8) names of types, "end_header"; then
 ///          the elements in order, in ASCII one a line. Comments and unknown lines may stand
-///          anywhere behind the first line.
+///          anywhere in the header behind its first line.
 /// Errors   InputError with the line; in a binary body with the element instead, "face 7" (from 0).
 /// Source   G. Turk, "The PLY Polygon File Format", 1994.
 class PlyFile {

@@ -242,11 +242,13 @@ class Reader {
         for (uint32_t& vertex : t) vertex = origin_[vertex];
       }
     }
+    const auto& position = origin_.empty() ? mesh_.position : vertex_position_;
     std::vector<Vec3> normal = std::move(mesh_.normal);
     if (normal.empty()) {
-      normal = mean_normals(origin_.empty() ? mesh_.position : vertex_position_, triangle);
-    } else {
-      mend(triangle, &normal);
+      normal = mean_normals(position, triangle);
+    } else if (const uint64_t mended = mend_normals(position, triangle, &normal)) {
+      warn(fmt::format("{} normals are zero or not finite: theirs is the mean of the faces",
+                       mended));
     }
     if (origin_.empty()) {
       mesh_.normal = std::move(normal);
@@ -254,31 +256,6 @@ class Reader {
     }
     mesh_.normal.clear();
     for (const uint32_t vertex : origin_) mesh_.normal.push_back(normal[vertex]);
-  }
-
-  void mend(const std::vector<std::array<uint32_t, 3>>& triangle, std::vector<Vec3>* normal) {
-    std::vector<bool> is_bad(normal->size());
-    bool has_bad = false;
-    for (size_t i = 0; i < normal->size(); ++i) {
-      is_bad[i] = !is_finite((*normal)[i]);
-      has_bad = has_bad || is_bad[i];
-      (*normal)[i] = normalized((*normal)[i]);
-    }
-    if (!has_bad) return;
-    const auto mean = mean_normals(origin_.empty() ? mesh_.position : vertex_position_, triangle);
-    std::vector<bool> is_used(normal->size());
-    for (const auto& t : triangle) {
-      for (const uint32_t vertex : t) is_used[vertex] = true;
-    }
-    uint64_t mended = 0;
-    for (size_t i = 0; i < normal->size(); ++i) {
-      if (!is_bad[i]) continue;
-      (*normal)[i] = mean[i];
-      mended += is_used[i] ? 1 : 0;
-    }
-    if (mended > 0) {
-      warn(fmt::format("{} normals are not finite: theirs is the mean of the faces", mended));
-    }
   }
 
   void skip(const PlyProperty& property) {

@@ -159,8 +159,10 @@ PolygonShape triangulate(const std::vector<Vec3>& corner,
   const PlanarPolygon polygon(corner);
   if (!polygon.has_plane()) return fan(PolygonShape::kFlat);
   if (!convex && is_convex(polygon)) return fan(PolygonShape::kConvex);
-  if (!winds_once(polygon) || !cut_ears(polygon, triangles)) return fan(PolygonShape::kCrossing);
-  return PolygonShape::kSimple;
+  if (!winds_once(polygon)) return fan(PolygonShape::kCrossing);
+  const EarCut ears = cut_ears(polygon, triangles);
+  if (ears == EarCut::kDone) return PolygonShape::kSimple;
+  return fan(ears == EarCut::kImpossible ? PolygonShape::kCrossing : PolygonShape::kUnknown);
 }
 
 void PolygonCutter::add(const uint32_t* vertex, size_t count) {
@@ -179,6 +181,7 @@ void PolygonCutter::add(const uint32_t* vertex, size_t count) {
   }
   add_provoking(vertex[0], first_triangle);
   crossing_ += shape == PolygonShape::kCrossing ? 1 : 0;
+  unknown_ += shape == PolygonShape::kUnknown ? 1 : 0;
   flat_ += shape == PolygonShape::kFlat ? 1 : 0;
   if (shape != PolygonShape::kConvex && shape != PolygonShape::kSimple) return;
   mesh_->polygon.push_back({static_cast<uint32_t>(mesh_->corner.size()),
@@ -205,6 +208,8 @@ void PolygonCutter::warn(const std::string& file, std::vector<std::string>* warn
     if (count > 0) warnings->push_back(fmt::format("{}: {} {}", file, count, what));
   };
   say(crossing_, "polygons cross themselves: cut as fans");
+  say(unknown_,
+      "polygons are too intricate, with more ways to cut them than are tried: cut as fans");
   say(flat_, "polygons have a mean normal of zero: cut as fans");
 }
 

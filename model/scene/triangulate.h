@@ -15,6 +15,7 @@ enum class PolygonShape {
   kConvex,    // no right turn, and around once
   kSimple,    // it may touch itself, but has an inside that it surrounds once
   kCrossing,  // it crosses itself, or surrounds something twice
+  kUnknown,   // kSimple or kCrossing: there are more ways to cut it than are tried
   kFlat,      // its Newell normal is zero: no direction to see it from
   kUnbounded  // a coordinate is NaN or infinite
 };
@@ -37,8 +38,6 @@ class PolygonCutter {
   /// provoking vertex, which is the first one, and, of more than three corners and if it does not
   /// cross itself, the polygon.
   void add(const uint32_t* vertex, size_t count);
-  /// Adds a triangle of a strip, whose own first vertex is the provoking one.
-  void add_triangle(const std::array<uint32_t, 3>& triangle) { add(triangle.data(), 3); }
 
   /// One line each for polygons that were cut as fans though a fan may be wrong.
   void warn(const std::string& file, std::vector<std::string>* warnings) const;
@@ -48,6 +47,7 @@ class PolygonCutter {
 
   Mesh* mesh_;
   uint64_t crossing_ = 0;
+  uint64_t unknown_ = 0;
   uint64_t flat_ = 0;
   std::vector<Vec3> corner_;  // kept for their memory
   std::vector<std::array<uint32_t, 3>> cut_;

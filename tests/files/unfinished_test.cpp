@@ -2,6 +2,7 @@
 #include "model/files/unfinished.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <list>
 #include <optional>
 
 namespace pineda::files {
@@ -145,6 +147,36 @@ TEST_P(EverySignal, HeldEndsTheProgramOnceTheWorkIsPutAway) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Unfinished, EverySignal, testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+// While paths are removed other signals come, of lower numbers and of higher ones.
+TEST(Unfinished, ManySignalsAtOnceEndTheProgramToo) {
+  const Folder folder;
+  const auto under_fire = [&](const std::function<void()>& wait) {
+    remove_unfinished_on_signals();
+    std::list<Unfinished> many;
+    for (int i = 0; i < 20000; ++i) many.emplace_back(folder.at(std::to_string(i)));
+    alarm(60);  // ends what hangs
+    const pid_t program = getpid();
+    if (fork() == 0) {
+      while (getppid() == program) {
+        for (const int signal : {SIGTERM, SIGINT, SIGHUP}) kill(program, signal);
+      }
+      _exit(0);
+    }
+    wait();
+  };
+  const auto held = [] {
+    const HeldSignals signals;
+    while (!signals.came()) sched_yield();
+  };
+  const auto not_held = [] {
+    while (true) pause();
+  };
+  for (const std::function<void()>& wait : {std::function<void()>(held), {not_held}}) {
+    const int end = end_of([&] { under_fire(wait); });
+    EXPECT_TRUE(end == SIGTERM || end == SIGINT || end == SIGHUP) << end;
+  }
+}
 
 // The mutant: without the handler the file stays, and is seen.
 TEST(Unfinished, StaysWithoutAHandler) {

@@ -6,9 +6,11 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "model/scene/scene.h"
 #include "model/spec/design_file.h"
@@ -21,7 +23,7 @@ using namespace pineda;
 class InputFile {
  public:
   InputFile() {
-    std::string folder = "/tmp/pineda-fuzz-XXXXXX";
+    std::string folder = (std::filesystem::temp_directory_path() / "pineda-fuzz-XXXXXX").string();
     if (mkdtemp(folder.data()) == nullptr) std::abort();
     folder_ = folder;
   }
@@ -61,13 +63,24 @@ void read_design(const std::string& path) {
   }
 }
 
-void read_scene(const std::string& path) {
+/// What the input does not say itself: the same for the same bytes, so that a finding is repeated.
+scene::Options options_of(std::string_view bytes) {
+  constexpr std::string_view kEnding = FUZZ_ENDING;
+  scene::Options options;
+  if (kEnding == ".tri" || kEnding == ".ptrb") return options;
+  options.size = scene::Size{64, 48};
+  uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  hash >>= 32;
+  options.reverse_z = hash % 2 == 1;
+  const auto camera = static_cast<int>(hash / 2 % 3);
+  if ((kEnding == ".gltf" || kEnding == ".glb") && camera < 2) options.camera_number = camera;
+  return options;
+}
+
+void read_scene(const std::string& path, const scene::Options& options) {
   constexpr int kMostTriangles = 20000;
   const spec::Contract contract = spec::contract(spec::kHighTile);
-  scene::Options options;
-  if (std::string(FUZZ_ENDING) != ".tri" && std::string(FUZZ_ENDING) != ".ptrb") {
-    options.size = scene::Size{64, 48};
-  }
   try {
     const scene::Scene scene = scene::open_scene(contract, path, options);
     for (const std::string& warning : scene.warnings) check_message(warning);
@@ -92,7 +105,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size) {
   if (std::string(FUZZ_ENDING) == ".toml") {
     read_design(input.path());
   } else {
-    read_scene(input.path());
+    read_scene(input.path(), options_of({reinterpret_cast<const char*>(bytes), size}));
   }
   return 0;
 }

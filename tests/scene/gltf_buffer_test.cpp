@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <thread>
+
 #include "model/scene/data_uri.h"
 #include "model/scene/gltf_reader.h"
 #include "tests/scene/gltf_files.h"
@@ -96,6 +98,17 @@ TEST(GltfBuffer, FilesStandBesideTheSceneByDecodedNames) {
                           "some folder/100% b.bin", "some%20folder/../a.bin"}) {
     EXPECT_EQ(positions_of(scratch.write("a.gltf", file.text(uri))), kExpected) << uri;
   }
+}
+
+TEST(GltfBuffer, APipeOfManyBlocksIsReadToItsEnd) {
+  const Scratch scratch;
+  GltfFile file = one_triangle();
+  file.bytes += std::string(3 << 20, '\0');
+  const auto pipe = scratch.path("pipe.glb");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(pipe, std::ios::binary) << file.glb(); });
+  EXPECT_EQ(positions_of(pipe), kExpected);
+  writer.join();
 }
 
 TEST(GltfBuffer, WhatIsNoFileBesideTheSceneIsRefused) {

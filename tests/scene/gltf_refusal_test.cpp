@@ -194,6 +194,32 @@ TEST(GltfRefused, AFewBytesCannotAskForBillionsOfTriangles) {
                                "expected at most 33554432 triangles"));
 }
 
+// Whatever they are made of: each costs a step for each node.
+TEST(GltfRefused, AFewBytesCannotAskForBillionsOfPrimitives) {
+  const Scratch scratch;
+  GltfFile file = square();
+  constexpr int kEach = 6000;
+  Json points = file.json["meshes"][0]["primitives"][0];
+  points["mode"] = 0;
+  for (int i = 1; i < kEach; ++i) file.json["meshes"][0]["primitives"].push_back(points);
+  EXPECT_EQ(error_of(scratch.write("one.glb", file.glb())), "");
+  Json& nodes = file.json["nodes"];
+  for (int i = 1; i < kEach; ++i) {
+    nodes.push_back(nodes[0]);
+    file.json["scenes"][0]["nodes"].push_back(i);
+  }
+  EXPECT_TRUE(is_one_line_with(error_of(scratch.write("many.glb", file.glb())),
+                               "expected at most 33554432 primitives"));
+}
+
+// A file with holes: nothing of it is read.
+TEST(GltfRefused, AFileOfFourGibibytes) {
+  const Scratch scratch;
+  const auto path = scratch.write("large.glb", square().glb());
+  std::filesystem::resize_file(path, uint64_t{1} << 32);
+  EXPECT_TRUE(is_one_line_with(error_of(path), "large.glb: expected less than 4 GiB"));
+}
+
 TEST(GlbRefused, HeadersAndChunksMustFillTheFile) {
   const Scratch scratch;
   const std::string good = square().glb();

@@ -29,57 +29,60 @@ void expect_as_strto(const std::string& word) {
   expect_as_strto<double>(word, std::strtod);
 }
 
-TEST(ParseNumber, EveryWordIsReadAsStrtofAndStrtodReadIt) {
-  for (const char* word : {"0",
-                           "-0",
-                           "+0",
-                           "1.",
-                           ".5",
-                           "-.5",
-                           "+.5",
-                           ".",
-                           "-",
-                           "+",
-                           "e5",
-                           "1e",
-                           "1e+",
-                           "1e5",
-                           "1E-5",
-                           "0x1p3",
-                           "-0x1.8p-149",
-                           "0x",
-                           "0x.p1",
-                           "inf",
-                           "-inf",
-                           "+INFINITY",
-                           "infinit",
-                           "nan",
-                           "-nan",
-                           "NAN(7)",
-                           "-nan(0x12)",
-                           "nan(",
-                           "1e39",
-                           "-1e39",
-                           "1e-46",
-                           "1e-400",
-                           "1e400",
-                           "1.17549435e-38",
-                           "1.4e-45",
-                           "7e-46",
-                           "16777217",
-                           "16777217.0000000001",
-                           "3.4028235677973366e38",
-                           "1,5",
-                           "1.5f",
-                           "1_000",
-                           "--1",
-                           "1-",
-                           "0.1e1e1",
-                           "00012",
-                           "1e0005",
-                           "4.9406564584124654e-324"}) {
-    expect_as_strto(word);
-  }
+constexpr const char* kWords[] = {"0",
+                                  "-0",
+                                  "+0",
+                                  "1.",
+                                  ".5",
+                                  "-.5",
+                                  "+.5",
+                                  ".",
+                                  "-",
+                                  "+",
+                                  "e5",
+                                  "1e",
+                                  "1e+",
+                                  "1e5",
+                                  "1E-5",
+                                  "0x1p3",
+                                  "-0x1.8p-149",
+                                  "0x",
+                                  "0x.p1",
+                                  "inf",
+                                  "-inf",
+                                  "+INFINITY",
+                                  "infinit",
+                                  "nan",
+                                  "-nan",
+                                  "NAN(7)",
+                                  "-nan(0x12)",
+                                  "nan(",
+                                  "1e39",
+                                  "-1e39",
+                                  "1e-46",
+                                  "1e-400",
+                                  "1e400",
+                                  "1.17549435e-38",
+                                  "1.4e-45",
+                                  "7e-46",
+                                  "16777217",
+                                  "16777217.0000000001",
+                                  "3.4028235677973366e38",
+                                  "1,5",
+                                  "1.5f",
+                                  "1_000",
+                                  "--1",
+                                  "1-",
+                                  "0.1e1e1",
+                                  "00012",
+                                  "1e0005",
+                                  "4.9406564584124654e-324"};
+
+TEST(ParseNumber, EveryFormOfANumberIsReadAsStrtofAndStrtodReadIt) {
+  for (const char* word : kWords) expect_as_strto(word);
+}
+
+TEST(ParseNumber, RandomLettersAreReadAsStrtofAndStrtodReadThem) {
   std::mt19937_64 random(1);
   const std::string letters = "0123456789.-+eExpnaif";
   for (int trial = 0; trial < 100000; ++trial) {
@@ -90,6 +93,10 @@ TEST(ParseNumber, EveryWordIsReadAsStrtofAndStrtodReadIt) {
     }
     expect_as_strto(word);
   }
+}
+
+TEST(ParseNumber, RandomNumbersAreReadAsStrtofAndStrtodReadThem) {
+  std::mt19937_64 random(2);
   for (int trial = 0; trial < 100000; ++trial) {
     double value = 0;
     const uint64_t bits = random();

@@ -41,20 +41,23 @@ const std::vector<Refusal> kRefusals = {
     {"TextureNoIndex", kVertices + "f 1 2 3/a\n", ":5: expected a corner"},
     {"NormalNoIndex", kVertices + "f 1 2 3//a\n", ":5: expected a corner"},
     {"TwoCorners", kVertices + "f 1 2\n", ":5: expected a face of three or more corners"},
-    {"TwoCoordinates", "v 1 2\n", ":1: expected 4 words 'v X Y Z', got 3"},
+    {"TwoCoordinates", "v 1 2\n",
+     ":1: expected 'v X Y Z [W]' or 'v X Y Z R G B [A]', got 2 numbers in"},
     {"BadNumber", "v 1 2 x\n", ":1: expected a number, got 'x'"},
     {"BadW", "v 1 2 3 2\n", ":1: expected W = 1, got '2'"},
     {"BadColour", "v 1 2 3 0 0 1.5\n", ":1: expected a colour from 0 to 1, got '1.5'"},
     {"BadNormal", "vn 1 0\n", ":1: expected 4 words 'vn X Y Z', got 3"},
     {"NormalNoNumber", "vn 1 0 up\n", ":1: expected a number, got 'up'"},
-    {"FiveNumbers", "v 1 2 3 4 5\n", ":1: expected 4 words 'v X Y Z', got 6"},
-    {"EightNumbers", "v 1 2 3 1 0 0 0 1\n", ":1: expected 4 words 'v X Y Z', got 9"},
+    {"FiveNumbers", "v 1 2 3 4 5\n",
+     ":1: expected 'v X Y Z [W]' or 'v X Y Z R G B [A]', got 5 numbers in"},
+    {"EightNumbers", "v 1 2 3 1 0 0 0 1\n",
+     ":1: expected 'v X Y Z [W]' or 'v X Y Z R G B [A]', got 8 numbers in"},
     {"BadAlpha", "v 1 2 3 0 0 0 -1\n", ":1: expected a colour from 0 to 1, got '-1'"},
     {"ContinuedLineIsItsFirst", kVertices + "f 1 \\\n2 \\\nx\n", ":5: expected a corner"},
     {"LinesAreCountedBehindAContinuedOne", kVertices + "f 1 \\\n2 3\nf 1 2 x\n",
      ":7: expected a corner"},
     {"OldMacLineEnds", "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r",
-     ":1: expected 4 words 'v X Y Z', got 16"},
+     ":1: expected 'v X Y Z [W]' or 'v X Y Z R G B [A]', got 15 numbers in"},
     {"NulByte", std::string("v 1 2\0 3\n", 9), ":1: expected text"},
 };
 
@@ -193,7 +196,8 @@ TEST(ObjReader, NormalsThatThereAreNotAreTheMeanAndCounted) {
   const std::vector<std::pair<std::string, const char*>> cases = {
       {"f 1//1 2//2 3//3\nf 1//1 3//3 4//4\n", "6 corners name a normal that there is not"},
       {"f 1//-1 2//0 3\nf 1 3 4\n", "2 corners name a normal that there is not"},
-      {"vn nan 0 1\nf 1//1 2//1 3//1\nf 1 3 4\n", "3 corners name a normal that is not finite"},
+      {"vn nan 0 1\nf 1//1 2//1 3//1\nf 1 3 4\n", "3 corners name a normal that is zero or not"},
+      {"vn 0 -0 0\nf 1//1 2//1 3//1\nf 1 3 4\n", "3 corners name a normal that is zero or not"},
       {"vn 0 0 1\nf 1//2147483647 2 3\nf 1 3 4\n", "1 corners name a normal that there is not"},
   };
   for (const auto& [text, message] : cases) {
@@ -204,9 +208,10 @@ TEST(ObjReader, NormalsThatThereAreNotAreTheMeanAndCounted) {
   }
   // Nobody needs it.
   std::vector<std::string> warnings;
-  EXPECT_TRUE(are_same(
-      read_text("vn nan 0 inf\nvn 0 0 1\n" + kVertices + "f 1 2 3\nf 1//2 3 4\n", &warnings),
-      read_text("vn 0 0 1\n" + kVertices + "f 1 2 3\nf 1//1 3 4\n")));
+  EXPECT_TRUE(
+      are_same(read_text("vn nan 0 inf\nvn 0 0 1\nvn 0 0 0\n" + kVertices + "f 1 2 3\nf 1//2 3 4\n",
+                         &warnings),
+               read_text("vn 0 0 1\n" + kVertices + "f 1 2 3\nf 1//1 3 4\n")));
   EXPECT_TRUE(warnings.empty());
   // A normal may follow its face.
   EXPECT_EQ(read_text(kVertices + "f 1//1 2//1 3//1\nvn 2 0 0\n").normal[0], (Vec3{1, 0, 0}));

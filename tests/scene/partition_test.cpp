@@ -67,65 +67,90 @@ TEST(Partition, WithoutAreaOneTriangleWithoutAreaIsLeft) {
   }
 }
 
-// Convex polygons a few grid steps wide: of each, no point of a finer grid lies in two triangles,
-// all turn one way, and what lies deeper inside than snapping reaches is covered.
+// A convex polygon a few grid steps wide, and its corners on the grid.
+struct Snapped {
+  std::vector<std::array<double, 2>> convex;
+  std::vector<GridPoint> point;  // eight fine steps a grid step
+};
+
+double number(std::mt19937* random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(*random);
+}
+
+Snapped snapped(std::mt19937* random) {
+  std::vector<double> angle(4 + (*random)() % 5);
+  for (double& a : angle) a = number(random, 0, 2 * M_PI);
+  std::sort(angle.begin(), angle.end());
+  const double wide = number(random, .3, 8), tall = number(random, .3, 3);
+  const double tilt = number(random, 0, M_PI);
+  const auto grid = [](double v) { return 8 * static_cast<int32_t>(std::nearbyint(v)); };
+  Snapped polygon;
+  for (const double a : angle) {
+    const double x = wide * std::cos(a), y = tall * std::sin(a);
+    polygon.convex.push_back({x * std::cos(tilt) - y * std::sin(tilt) + .3,
+                              x * std::sin(tilt) + y * std::cos(tilt) + .1});
+    polygon.point.push_back({grid(polygon.convex.back()[0]), grid(polygon.convex.back()[1])});
+  }
+  return polygon;
+}
+
+// Did snapping turn a triangle of the fan over?
+bool is_bent(const std::vector<GridPoint>& p) {
+  for (size_t i = 1; i + 1 < p.size(); ++i) {
+    if (turn(p[0], p[i], p[i + 1]) < 0) return true;
+  }
+  return false;
+}
+
+// In how many of the pieces does a place lie? In fine steps.
+int hits_of(const std::vector<GridPoint>& p, const std::vector<Piece>& pieces, double x, double y) {
+  int hits = 0;
+  for (const Piece& t : pieces) {
+    int left = 0, right = 0;
+    for (size_t i = 0; i < 3; ++i) {
+      const GridPoint &a = p[t[i]], &b = p[t[(i + 1) % 3]];
+      const double side = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+      left += side > 0 ? 1 : 0;
+      right += side < 0 ? 1 : 0;
+    }
+    hits += left == 3 || right == 3 ? 1 : 0;
+  }
+  return hits;
+}
+
+// How deep inside a place lies, at least; negative outside. In grid steps.
+double depth_in(const std::vector<std::array<double, 2>>& convex, double x, double y) {
+  double nearest = 1e9;
+  for (size_t i = 0; i < convex.size(); ++i) {
+    const auto &a = convex[i], &b = convex[(i + 1) % convex.size()];
+    const double dx = b[0] - a[0], dy = b[1] - a[1];
+    nearest = std::min(
+        nearest, (dx * (y - a[1]) - dy * (x - a[0])) / (std::abs(dx) + std::abs(dy) + 1e-300));
+  }
+  return nearest;
+}
+
+// No point of a finer grid lies in two triangles, all turn one way, and what lies deeper inside
+// than snapping reaches is covered.
 TEST(Partition, SnappedConvexPolygonsAreCoveredOnceWhateverSnappingDidToThem) {
   std::mt19937 random(1);
-  const auto number = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
   int bent = 0, inside = 0;
   for (int n = 0; n < 20000; ++n) {
-    const size_t corners = 4 + random() % 5;
-    std::vector<double> angle(corners);
-    for (double& a : angle) a = number(0, 2 * M_PI);
-    std::sort(angle.begin(), angle.end());
-    const double wide = number(.3, 8), tall = number(.3, 3), tilt = number(0, M_PI);
-    std::vector<std::array<double, 2>> convex;
-    std::vector<GridPoint> snapped;
-    for (const double a : angle) {
-      const double x = wide * std::cos(a), y = tall * std::sin(a);
-      convex.push_back({x * std::cos(tilt) - y * std::sin(tilt) + .3,
-                        x * std::sin(tilt) + y * std::cos(tilt) + .1});
-      // Eight fine steps a grid step; the samples below lie between fine steps.
-      const auto grid = [](double v) { return 8 * static_cast<int32_t>(std::nearbyint(v)); };
-      snapped.push_back({grid(convex.back()[0]), grid(convex.back()[1])});
-    }
-    const auto pieces = cut(snapped);
-    const auto all = areas(snapped, pieces);
+    const Snapped polygon = snapped(&random);
+    const auto pieces = cut(polygon.point);
+    const auto all = areas(polygon.point, pieces);
     const bool positive = std::all_of(all.begin(), all.end(), [](int64_t a) { return a >= 0; });
     const bool negative = std::all_of(all.begin(), all.end(), [](int64_t a) { return a <= 0; });
     ASSERT_TRUE(positive || negative) << n;
-    for (size_t i = 1; i + 1 < corners; ++i) {
-      if (turn(snapped[0], snapped[i], snapped[i + 1]) >= 0) continue;
-      ++bent;
-      break;
-    }
+    bent += is_bent(polygon.point) ? 1 : 0;
     for (int k = 0; k < 40; ++k) {
       // On no line through grid points: odd multiples of 1/1024 fine steps.
-      const double x = std::floor(number(-9, 9) * 8 * 512) / 512 + 1. / 1024;
-      const double y = std::floor(number(-9, 9) * 8 * 512) / 512 + 1. / 2048;
-      int hits = 0;
-      for (const Piece& t : pieces) {
-        int left = 0, right = 0;
-        for (size_t i = 0; i < 3; ++i) {
-          const GridPoint &a = snapped[t[i]], &b = snapped[t[(i + 1) % 3]];
-          const double side = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
-          left += side > 0 ? 1 : 0;
-          right += side < 0 ? 1 : 0;
-        }
-        hits += left == 3 || right == 3 ? 1 : 0;
-      }
-      ASSERT_LE(hits, 1) << n << testing::PrintToString(snapped) << testing::PrintToString(pieces)
-                         << x << " " << y;
-      double nearest = 1e9;  // to a side of the unsnapped polygon, in grid steps
-      for (size_t i = 0; i < corners; ++i) {
-        const auto &a = convex[i], &b = convex[(i + 1) % corners];
-        const double dx = b[0] - a[0], dy = b[1] - a[1];
-        nearest = std::min(nearest, (dx * (y / 8 - a[1]) - dy * (x / 8 - a[0])) /
-                                        (std::abs(dx) + std::abs(dy) + 1e-300));
-      }
-      if (nearest < .5) continue;
+      const double x = std::floor(number(&random, -9, 9) * 8 * 512) / 512 + 1. / 1024;
+      const double y = std::floor(number(&random, -9, 9) * 8 * 512) / 512 + 1. / 2048;
+      const int hits = hits_of(polygon.point, pieces, x, y);
+      ASSERT_LE(hits, 1) << n << testing::PrintToString(polygon.point)
+                         << testing::PrintToString(pieces) << x << " " << y;
+      if (depth_in(polygon.convex, x / 8, y / 8) < .5) continue;
       ++inside;
       ASSERT_EQ(hits, 1) << n;
       ASSERT_TRUE(positive) << n;

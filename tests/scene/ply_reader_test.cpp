@@ -177,7 +177,7 @@ TEST(PlyReader, AByteOrderMarkAndCarriageReturnsChangeNothing) {
   }
 }
 
-TEST(PlyReader, NormalsThatAreNotFiniteAreTheMeanAndCounted) {
+TEST(PlyReader, NormalsThatAreZeroOrNotFiniteAreTheMeanAndCounted) {
   const std::string head = kAscii + kVertex +
                            "property float nx\nproperty float ny\nproperty float nz\n" + kFace +
                            "end_header\n0 0 0 1 0 0\n1 0 0 nan 0 0\n1 1 0 0 inf 0\n0 1 0 ";
@@ -187,7 +187,11 @@ TEST(PlyReader, NormalsThatAreNotFiniteAreTheMeanAndCounted) {
   EXPECT_EQ(mesh.normal[1], (Vec3{0, 0, 1}));
   EXPECT_EQ(mesh.normal[2], (Vec3{0, 0, 1}));
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(is_one_line_with(warnings[0], "2 normals are not finite"));
+  EXPECT_TRUE(is_one_line_with(warnings[0], "2 normals are zero or not finite"));
+  warnings.clear();
+  EXPECT_EQ(read_text(head + "0 -0 0\n3 0 2 3\n", &warnings).normal[3], (Vec3{0, 0, 1}));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(is_one_line_with(warnings[0], "2 normals are zero or not finite"));
   // No face names the fourth vertex.
   warnings.clear();
   const std::string only_unused =

@@ -5,9 +5,12 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
+#include "model/scene/ears.h"
 #include "model/scene/planar.h"
+#include "model/scene/winding.h"
 #include "tests/scene/polygons.h"
 
 namespace pineda::scene {
@@ -318,6 +321,57 @@ TEST(Triangulate, CrossingPolygonsAreToldFromTouchingOnes) {
   EXPECT_GT(once, 2000u);
   EXPECT_LT(hidden, once / 20);
   EXPECT_GT(crossing, 2000u);
+}
+
+// One that crosses itself at a corner, which only trying every way shows.
+LatticePolygon crossing_at_a_corner() {
+  Random random(3);
+  while (true) {
+    LatticePolygon p;
+    while (p.size() < 9) p.push_back({between(&random, 0, 3), between(&random, 0, 3)});
+    const PlanarPolygon polygon(Plane{}.place(p));
+    Triangles none;
+    if (polygon.has_plane() && winds_once(polygon) &&
+        cut_ears(polygon, &none) == EarCut::kImpossible) {
+      return p;
+    }
+  }
+}
+
+TEST(Triangulate, WhatHasTooManyWaysToTryIsNotSaidToCross) {
+  LatticePolygon p = crossing_at_a_corner();
+  p.insert(p.end(), 256 - p.size(), p.back());
+  EXPECT_EQ(cut(p).shape, PolygonShape::kCrossing);
+  p.push_back(p.back());
+  const Cut is = cut(p);
+  EXPECT_EQ(is.shape, PolygonShape::kUnknown);
+  EXPECT_EQ(is.triangles, fan(p.size()));
+}
+
+TEST(Triangulate, NoMoreIsTriedAfterSoManySteps) {
+  Random random(7);
+  const PlanarPolygon polygon(Plane{}.place(star(&random, 1000, 1000000)));
+  Triangles triangles = {{7, 8, 9}};
+  EXPECT_EQ(cut_ears(polygon, &triangles, 1000), EarCut::kUnknown);
+  EXPECT_EQ(triangles.size(), 1u);
+  EXPECT_EQ(cut_ears(polygon, &triangles), EarCut::kDone);
+  EXPECT_EQ(triangles.size(), 1u + 998u);
+}
+
+TEST(PolygonCutter, CountsWhatHasTooManyWaysToTry) {
+  Mesh mesh;
+  mesh.position = Plane{}.place(crossing_at_a_corner());
+  std::vector<uint32_t> vertex(mesh.position.size());
+  std::iota(vertex.begin(), vertex.end(), 0U);
+  vertex.resize(300, vertex.back());
+  PolygonCutter cutter(&mesh);
+  cutter.add(vertex.data(), vertex.size());
+  std::vector<std::string> warnings;
+  cutter.warn("a.obj", &warnings);
+  EXPECT_EQ(warnings,
+            (std::vector<std::string>{"a.obj: 1 polygons are too intricate, with more ways "
+                                      "to cut them than are tried: cut as fans"}));
+  EXPECT_TRUE(mesh.polygon.empty());
 }
 
 TEST(Triangulate, TheCheckSeesAWrongTriangle) {
