@@ -69,9 +69,20 @@ const char* kept(const std::string& text) {
   return all.emplace_back(text).c_str();
 }
 
+// What a message takes over from a file: in one line, printable, and not without end.
+std::string printable(std::string text) {
+  constexpr size_t kLongest = 1200;
+  if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
+  for (char& c : text) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  return text;
+}
+
 [[noreturn]] void refuse(const std::string& path, const toml::source_region& where,
                          const std::string& expected) {
-  throw DesignFileError(fmt::format("{}:{}: expected {}", path, where.begin.line, expected));
+  throw DesignFileError(
+      fmt::format("{}:{}: expected {}", path, where.begin.line, printable(expected)));
 }
 
 std::string text_of(const std::string& path, const toml::node& node, const char* key) {
@@ -157,7 +168,7 @@ Design parse_design(const std::string& text, const std::string& path) {
     table = toml::parse(text, path);
   } catch (const toml::parse_error& error) {
     throw DesignFileError(fmt::format("{}:{}: expected TOML: {}", path, error.source().begin.line,
-                                      error.description()));
+                                      printable(std::string(error.description()))));
   }
   Design design = base_of(path, table);
   const toml::node* name = table.get("name");

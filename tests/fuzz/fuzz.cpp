@@ -50,7 +50,7 @@ void require(bool holds, const char* what) {
 
 /// One line, as short as a person reads, without anything that a terminal does not print.
 void check_message(const std::string& message) {
-  require(!message.empty() && message.size() < 600, "a message of one line");
+  require(!message.empty() && message.size() < 1500, "a message of one line");
   for (const char c : message) require(c >= ' ' && c <= '~', "a message that can be printed");
 }
 

@@ -74,6 +74,8 @@ TEST(DesignFile, RefusesWithFileLineAndWhatWasExpected) {
        "d.toml:1: expected reciprocal_scheme to be one of newton"},
       {"depth_bits = 24\ndepth_bits = 24\n", "d.toml:2: expected TOML"},
       {"depth_bits\n", "d.toml:1: expected TOML"},
+      {"depth_test = tru\n", "d.toml:1: expected TOML"},  // the parser's word has a line break
+      {"\"fog\\nbank\" = 1\n", "d.toml:1: expected a parameter"},
       {"[depth]\nbits = 24\n", "d.toml:1: expected a parameter"},
       {"reciprocal_bits = 20\n", "reciprocal_bits must be at least"},
   };
