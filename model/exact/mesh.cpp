@@ -84,7 +84,7 @@ struct FaceJudge::Planes {
   int sign(Call call) const {
     const Approximate value = call(approximate);
     if (is_certain(value)) return sign_of(value);
-    return sign_of(Integer(call(exactly())));
+    return sign_of(static_cast<Integer>(call(exactly())));
   }
 
   /// Of line i, plus `margin` bands.
@@ -232,7 +232,7 @@ Span FaceJudge::where(size_t i, int way, int y, int margin, bool strictly) const
 }
 
 void FaceJudge::row(int y, std::vector<int8_t>* hits) const {
-  hits->assign(static_cast<size_t>(box_.columns.last - box_.columns.first + 1), 0);
+  hits->assign(place_of(box_.columns.last) + 1, 0);
   if (corner_.size() == 3) {
     convex_row(y, hits);
   } else {
@@ -270,7 +270,7 @@ void FaceJudge::convex_row(int y, std::vector<int8_t>* hits) const {
 
 // How often the polygon winds around a sample: what edges lie beside it, in the plane of the face.
 std::vector<int> FaceJudge::windings(int y) const {
-  std::vector<int> steps(static_cast<size_t>(box_.columns.last - box_.columns.first + 2));
+  std::vector<int> steps(place_of(box_.columns.last) + 2);
   std::vector<bool> above(corner_.size());
   for (size_t i = 0; i < corner_.size(); ++i) above[i] = planes_->is_above(i, y);
   for (size_t i = 0; i < corner_.size(); ++i) {
@@ -279,8 +279,8 @@ std::vector<int> FaceJudge::windings(int y) const {
     const int way = goes_up ? 1 : -1;
     const Span beside = where(i, way, y, 0, true);
     if (is_empty(beside)) continue;
-    steps[static_cast<size_t>(beside.first - box_.columns.first)] += way;
-    steps[static_cast<size_t>(beside.last - box_.columns.first + 1)] -= way;
+    steps[place_of(beside.first)] += way;
+    steps[place_of(beside.last) + 1] -= way;
   }
   for (size_t i = 1; i < steps.size(); ++i) steps[i] += steps[i - 1];
   steps.pop_back();
@@ -303,11 +303,11 @@ void FaceJudge::polygon_row(int y, std::vector<int8_t>* hits) const {
     const Span may = where(i, 1, y, i == front ? 0 : 1, i == front);
     const Span must = i == front ? may : where(i, 1, y, -1, true);
     for (int x = box_.columns.first; x <= box_.columns.last; ++x) {
-      int8_t& hit = (*hits)[static_cast<size_t>(x - box_.columns.first)];
+      int8_t& hit = (*hits)[place_of(x)];
       const bool is_there = x >= may.first && x <= may.last;
       const bool is_sure = x >= must.first && x <= must.last;
       if (!is_there) hit = 0;
-      if (is_there && !is_sure && winding[static_cast<size_t>(x - box_.columns.first)] != 0) {
+      if (is_there && !is_sure && winding[place_of(x)] != 0) {
         hit = kEither;
       }
     }

@@ -85,9 +85,11 @@ class FaceJudge {
     Span columns, rows;
   };
 
+  /// Of a column in a row of hits.
+  size_t place_of(int column) const { return static_cast<size_t>(column - box_.columns.first); }
   Box box_of(const std::vector<ClipCorner>& corners) const;
-  Span where(size_t line, int way, int y, int margin, bool strictly) const;
-  Span band(size_t line, int y) const;
+  Span where(size_t i, int way, int y, int margin, bool strictly) const;
+  Span band(size_t i, int y) const;
   void convex_row(int y, std::vector<int8_t>* hits) const;
   std::vector<int> windings(int y) const;
   void polygon_row(int y, std::vector<int8_t>* hits) const;
