@@ -114,7 +114,7 @@ std::string_view GltfData::buffer(int i) {
     if (loaded_bytes_ > kGreatestBytes) throw InputError(file_, "expected buffers below 4 GiB");
     buffers_[at] = load(at, buffer);
   }
-  const std::string_view all = is_chunk ? *chunk_ : std::string_view(*buffers_[at]);
+  const std::string_view all = is_chunk ? *chunk_ : static_cast<std::string_view>(*buffers_[at]);
   if (all.size() < buffer.bytes) {
     throw InputError(file_,
                      fmt::format("buffers[{}]: expected {} bytes, as byteLength says, got {}", i,

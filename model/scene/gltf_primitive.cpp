@@ -59,8 +59,8 @@ class Builder {
   Mesh finish(uint64_t* bad_normals) {
     *bad_normals += bad_normals_.size();
     if (normal_ && bad_normals_.empty()) return std::move(part_);
-    auto means = mean_normals(part_.position, part_.triangle);
-    if (!normal_) part_.normal = std::move(means);
+    const auto means = mean_normals(part_.position, part_.triangle);
+    if (!normal_) part_.normal = means;
     for (const size_t i : bad_normals_) part_.normal[i] = means[i];
     return std::move(part_);
   }

@@ -28,7 +28,7 @@ class GltfView {
   bool has_no_bytes() const { return bytes_ == nullptr; }
 
   /// As it is stored; normalized integers as 0 to 1 or -1 to 1.
-  double value(size_t row, int column) const;
+  double value(size_t at, int column) const;
   /// Of an unsigned type.
   uint32_t index(size_t row) const;
 

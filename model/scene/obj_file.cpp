@@ -22,8 +22,8 @@ constexpr std::array<std::string_view, 29> kLeftOut{
 constexpr std::array<std::string_view, 7> kSurfaces{"curv", "curv2", "surf", "bzp",
                                                     "bsp",  "cdc",   "cdp"};
 
-template <size_t kCount>
-bool is_one_of(const std::array<std::string_view, kCount>& all, std::string_view word) {
+template <size_t Count>
+bool is_one_of(const std::array<std::string_view, Count>& all, std::string_view word) {
   return std::find(all.begin(), all.end(), word) != all.end();
 }
 

@@ -53,7 +53,8 @@ std::vector<double> scaled(const std::vector<Int>& exact) {
   all.reserve(exact.size());
   for (const Int& value : exact) {
     const int shift = std::max(0, length_bits(value) - 62);
-    const Int top = shift > 0 ? Int(abs(value) >> shift) : Int(abs(value));
+    const Int top =
+        shift > 0 ? static_cast<Int>(abs(value) >> shift) : static_cast<Int>(abs(value));
     const double magnitude =
         std::ldexp(static_cast<double>(static_cast<int64_t>(top)), shift - greatest);
     all.push_back(value < 0 ? -magnitude : magnitude);

@@ -118,13 +118,13 @@ void TriReader::read_clear_depth() {
   frame_.clear_depth = *z;
 }
 
-template <class T, T spec::FrameState::*kMember>
+template <class T, T spec::FrameState::*Member>
 void TriReader::read_word() {
   const auto value = named<T>(lines_.words()[1]);
   if (!value) {
     lines_.fail(fmt::format("{} {}", lines_.words()[0], alternatives(words_of<T>())), lines_.raw());
   }
-  frame_.*kMember = *value;
+  frame_.*Member = *value;
 }
 
 ScreenVertex TriReader::vertex(Counters* counters) const {

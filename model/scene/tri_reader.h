@@ -37,7 +37,7 @@ class TriReader final : public ScreenReader {
   void read_scissor();
   void read_bias();
   void read_clear_depth();
-  template <class T, T spec::FrameState::*kMember>
+  template <class T, T spec::FrameState::*Member>
   void read_word();
   ScreenVertex vertex(Counters* counters) const;
 
