@@ -16,6 +16,8 @@ struct Drawn {
   std::vector<uint16_t> hits;
   std::vector<std::array<uint8_t, 3>> color;
   std::string depth;  // the bytes of the file
+  std::string said;   // on both outputs
+  int exit_code = 0;
 
   uint64_t hit_samples() const {
     return static_cast<uint64_t>(
@@ -39,14 +41,16 @@ struct Drawn {
   }
 };
 
-Drawn draw(const std::string& path, Arguments options, std::string* said = nullptr) {
+Drawn draw_with(const Surroundings& surroundings, const std::string& path,
+                const Arguments& options) {
   const Scratch scratch;
   Arguments arguments{"render", path, "--dump", scratch.path("d")};
   arguments.insert(arguments.end(), options.begin(), options.end());
-  const Outcome run = pineda(arguments);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  if (said != nullptr) *said = run.out + run.err;
+  const Outcome run = pineda(arguments, surroundings);
   Drawn drawn;
+  drawn.said = run.out + run.err;
+  drawn.exit_code = run.exit_code;
+  if (run.exit_code != 0) return drawn;
   const std::string hits = read_bytes(scratch.path("d/hits.u16"));
   const std::string color = read_bytes(scratch.path("d/color.rgba"));
   drawn.depth = read_bytes(scratch.path("d/depth.u32"));
@@ -57,6 +61,12 @@ Drawn draw(const std::string& path, Arguments options, std::string* said = nullp
   for (size_t i = 0; i + 3 < color.size(); i += 4) {
     drawn.color.push_back({byte(color[i]), byte(color[i + 1]), byte(color[i + 2])});
   }
+  return drawn;
+}
+
+Drawn draw(const std::string& path, const Arguments& options) {
+  Drawn drawn = draw_with({}, path, options);
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.said;
   return drawn;
 }
 
@@ -127,6 +137,7 @@ TEST(Mesh, OnePolygonHasOneFlatColourWhateverItsFormat) {
   const Drawn obj = draw(mesh("quad.obj"), options);
   EXPECT_EQ(obj.colors(), (Colors{{255, 0, 0}}));
   EXPECT_TRUE(obj == draw(mesh("quad.ply"), options));
+  EXPECT_EQ(draw(mesh("p_dart.obj"), options).colors(), (Colors{{255, 0, 0}}));
 }
 
 TEST(Mesh, SameMeshIsTheSamePictureWhateverItsFileHoldsBesides) {
@@ -137,27 +148,6 @@ TEST(Mesh, SameMeshIsTheSamePictureWhateverItsFileHoldsBesides) {
                            "g01_req_KHR_materials_unlit.gltf", "g03_sparse.gltf"}) {
     EXPECT_TRUE(wanted == draw(mesh(name), {"--size", "64x48"})) << name;
   }
-}
-
-TEST(Mesh, CarriageReturnAloneEndsNoLine) {
-  const Scratch scratch;
-  const std::string text = read_bytes(mesh("crash_min.obj"));
-  const std::string without = scratch.write("without.obj", "# x" + text.substr(4));
-  EXPECT_TRUE(draw(mesh("crash_min.obj"), {}) == draw(without, {}));
-}
-
-TEST(Mesh, ColoursThatAnAffineDesignGetsWrongAreSaid) {
-  std::string said;
-  draw(mesh("floor1.ply"), {}, &said);
-  EXPECT_NE(said.find("interpolates colours affinely"), std::string::npos) << said;
-  draw(mesh("floor1.ply"), {"--design", "persp"}, &said);
-  EXPECT_EQ(said.find("affinely"), std::string::npos) << said;
-  draw("teapot", {}, &said);
-  EXPECT_EQ(said.find("affinely"), std::string::npos) << said;
-}
-
-TEST(Mesh, ShortNamesOfColoursAreRead) {
-  EXPECT_GT(draw(mesh("q04_rgb_short.ply"), {"--size", "64x48"}).colors().size(), 50u);
 }
 
 TEST(Mesh, ReversedZIsTheSamePictureWithReversedDepths) {
@@ -171,10 +161,75 @@ TEST(Mesh, ReversedZIsTheSamePictureWithReversedDepths) {
   EXPECT_NE(usual.depth, reversed.depth);
   expect_check_holds("teapot", {"--size", "160x120", "--reverse-z"}, 5000);
   // What is given wins.
-  std::string said;
-  draw("teapot", {"--reverse-z", "--clear-depth", "1"}, &said);
+  const std::string said = draw("teapot", {"--reverse-z", "--clear-depth", "1"}).said;
   EXPECT_NE(said.find("depth greater"), std::string::npos) << said;
 }
+
+bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+bool is_as_without_its_carriage_return(const Surroundings& with) {
+  const Scratch scratch;
+  const auto is_same = [&](const std::string& text) {  // it begins with "# x" and a CR
+    const std::string without = scratch.write("without.obj", "# x" + text.substr(4));
+    const Drawn wanted = draw(without, {});
+    return wanted.hit_samples() > 0 &&
+           draw_with(with, scratch.write("with.obj", text), {}) == wanted;
+  };
+  return is_same(read_bytes(mesh("crash_min.obj"))) &&
+         is_same("# x\rv 0 0 0\nv -1 -1 0\nv 1 -1 .25\nv 1 1 0\nf 1 2 3\n");
+}
+
+bool is_as_without_its_byte_order_mark(const Surroundings& with) {
+  const Arguments options{"--size", "64x48"};
+  return draw_with(with, mesh("b10_bom_more.obj"), options) == draw(mesh("canon.obj"), options);
+}
+
+bool is_coloured_by_short_names(const Surroundings& with) {
+  const Arguments options{"--size", "64x48", "--shade", "flat"};
+  return draw_with(with, mesh("q04_rgb_short.ply"), options).colors() ==
+         Colors{{200, 30, 30}, {200, 200, 30}};
+}
+
+bool says_that_colours_are_affine(const Surroundings& with) {
+  const auto says = [&](const std::string& path, const char* design) {
+    return has(draw_with(with, path, {"--design", design}).said, "interpolates colours affinely");
+  };
+  return says(mesh("floor1.ply"), "low") && !says(mesh("floor1.ply"), "persp") &&
+         !says("teapot", "low");
+}
+
+bool says_that_nothing_is_greater(const Surroundings& with) {
+  const auto says = [&](const Arguments& options) {
+    return has(draw_with(with, "teapot", options).said, "depth greater: nothing");
+  };
+  return says({"--depth", "greater"}) && !says({"--depth", "greater", "--clear-depth", "0"}) &&
+         !says({"--depth", "less"});
+}
+
+/// What a mesh's file gives or a user is told, and the program that once had it wrong.
+struct Reading {
+  const char* name;
+  bool (*is_right)(const Surroundings&);
+};
+
+std::ostream& operator<<(std::ostream& to, const Reading& reading) { return to << reading.name; }
+
+class OldReading : public testing::TestWithParam<Reading> {};
+
+TEST_P(OldReading, IsRightAndItsMutantIsNot) {
+  EXPECT_TRUE(GetParam().is_right({}));
+  Surroundings with_fault;
+  with_fault.program = std::string(PINEDA_MUTANTS) + GetParam().name;
+  EXPECT_FALSE(GetParam().is_right(with_fault));
+}
+
+INSTANTIATE_TEST_SUITE_P(Mesh, OldReading,
+                         testing::Values(Reading{"cr", is_as_without_its_carriage_return},
+                                         Reading{"bom", is_as_without_its_byte_order_mark},
+                                         Reading{"rgb", is_coloured_by_short_names},
+                                         Reading{"affine", says_that_colours_are_affine},
+                                         Reading{"greater", says_that_nothing_is_greater}),
+                         [](const auto& row) { return std::string(row.param.name); });
 
 /// The program with an old fault, and a mesh that shows it.
 struct Mutant {
@@ -208,7 +263,8 @@ INSTANTIATE_TEST_SUITE_P(
                "dbl_min.ply",
                {"--size=96x72", "--eye=.9999,.5,.5", "--look-at=-.45,-.572,-.172", "--fov=178",
                 "--depth=off"}},
-        Mutant{"polygon", "p_arrow_r.ply", {"--size=64x48", "--eye=0,0,5"}}),
+        Mutant{"polygon", "p_arrow_r.ply", {"--size=64x48", "--eye=0,0,5"}},
+        Mutant{"provoking", "p_dart.obj", {"--size=64x48", "--eye=0,0,5", "--shade=flat"}}),
     [](const auto& row) { return std::string(row.param.name); });
 
 TEST(Mesh, ReversedZIsForMeshes) {
