@@ -100,7 +100,9 @@ void PlanarPolygon::project(const std::vector<Vec3>& corner) {
   }
   const auto whole = [&](double x) {
     const Binary b = binary(x);
-    return b.mantissa == 0 ? Int(0) : Int(Int(b.mantissa) << (b.exponent - least));
+    Int value = b.mantissa;
+    if (b.mantissa != 0) value <<= b.exponent - least;
+    return value;
   };
   std::vector<std::array<Int, 3>> q(corner.size());  // from the first corner
   for (size_t i = corner.size(); i-- > 0;) {
