@@ -12,8 +12,9 @@ namespace {
 constexpr size_t kTrianglesPerRun = 400;
 constexpr const char* kDesigns[] = {"low", "med", "div28", "persp", "flat", "wide", "tiny"};
 
-const RtlLibrary& rtl_of(const std::string& design) {
+const RtlLibrary& rtl_of(std::string_view name) {
   static std::map<std::string, std::unique_ptr<RtlLibrary>> libraries;
+  const std::string design(name);
   auto& library = libraries[design];
   if (!library) library = std::make_unique<RtlLibrary>(spec::contract(*spec::find_design(design)));
   return *library;

@@ -18,8 +18,9 @@ const RtlLibrary& mutant() {
   return library;
 }
 
-const RtlLibrary& raster_rtl(const std::string& design) {
+const RtlLibrary& raster_rtl(std::string_view name) {
   static std::map<std::string, std::unique_ptr<RtlLibrary>> libraries;
+  const std::string design(name);
   auto& library = libraries[design];
   if (!library) {
     const auto contract =

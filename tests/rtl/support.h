@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tb/frame_bench.h"
@@ -20,7 +21,7 @@ const RtlLibrary& mutant();
 /// Plug-ins of traversal and interpolation alone, for kinds of designs that no named one has; see
 /// designs/.
 inline constexpr const char* kRasterDesigns[] = {"many", "deep", "small", "bare", "sheer"};
-const RtlLibrary& raster_rtl(const std::string& design);
+const RtlLibrary& raster_rtl(std::string_view name);
 
 /// The committed cases of a unit.
 template <class Case>

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "studies/random_triangles.h"
 #include "studies/scorer.h"
@@ -61,7 +62,7 @@ ErrorOptions all_designs() {
   return options;
 }
 
-const Subject& subject(const ErrorStudy& study, const std::string& name) {
+const Subject& subject(const ErrorStudy& study, std::string_view name) {
   const auto found = std::find_if(study.subjects.begin(), study.subjects.end(),
                                   [&](const Subject& s) { return s.name == name; });
   EXPECT_NE(found, study.subjects.end()) << name;
