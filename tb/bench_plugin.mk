@@ -9,7 +9,7 @@ CXXFLAGS ?= -O3
 VERILATOR_WARNINGS ?= -Wall -Wno-fatal
 RTL := $(SOURCE)/rtl
 # The package comes first; every design has its own.
-RTL_SOURCES := $(wildcard $(RTL)/lib/*.sv) $(filter-out %/pineda_pkg.sv,$(wildcard $(RTL)/*.sv))
+RTL_SOURCES := $(addprefix $(RTL)/,$(filter-out pineda_pkg.sv,$(shell cat $(RTL)/files.f)))
 SELF := $(firstword $(MAKEFILE_LIST))
 
 VERILATOR_ROOT := $(shell $(VERILATOR) --getenv VERILATOR_ROOT)

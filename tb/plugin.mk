@@ -11,7 +11,7 @@ RTL := $(SOURCE)/rtl
 # A plug-in has the units that it is built from.
 UNITS ?= setup_unit traversal_unit interp_ztest_unit raster_top loopback
 # The package comes first; every design has its own.
-RTL_SOURCES := $(wildcard $(RTL)/lib/*.sv) $(filter-out %/pineda_pkg.sv,$(wildcard $(RTL)/*.sv))
+RTL_SOURCES := $(addprefix $(RTL)/,$(filter-out pineda_pkg.sv,$(shell cat $(RTL)/files.f)))
 LINT := $(RTL)/lint/waivers.vlt
 SELF := $(firstword $(MAKEFILE_LIST))
 

@@ -47,12 +47,10 @@ std::string key_of(const spec::Contract& contract, const Kind& kind) {
   std::vector<fs::path> files{kSource / "tb/plugin.map", kSource / "model/spec/pack.h"};
   for (const char* ending : {".mk", ".cpp", ".h"})
     files.push_back(kSource / "tb" / (kind.name + ending));
-  for (const char* folder : {"rtl", "rtl/lib", "rtl/lint"}) {
-    for (const auto& entry : fs::directory_iterator(kSource / folder)) {
-      // The committed package is not used: each design generates its own.
-      if (entry.is_regular_file() && entry.path().filename() != "pineda_pkg.sv") {
-        files.push_back(entry.path());
-      }
+  for (const auto& entry : fs::recursive_directory_iterator(kSource / "rtl")) {
+    // The committed package is not used: each design generates its own.
+    if (entry.is_regular_file() && entry.path().filename() != "pineda_pkg.sv") {
+      files.push_back(entry.path());
     }
   }
   std::sort(files.begin(), files.end());

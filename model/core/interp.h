@@ -20,7 +20,7 @@ void interpolate_depth(const spec::Contract& contract, const spec::Stamp& stamp,
 /// In       a stamp; some of its covered lanes.
 /// Out      fragment->attr at those lanes, 0 in the others.
 /// Errors   |attribute - exact| <= .66 LSB for high_tile.
-/// Twin     rtl/attribute_interpolator.sv.
+/// Twin     rtl/interp/attribute_interpolator.sv.
 void interpolate_attributes(const spec::Contract& contract, const spec::Stamp& stamp,
                             uint32_t lanes, spec::Fragment* fragment);
 

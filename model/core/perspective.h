@@ -15,7 +15,7 @@ namespace pineda::core {
 ///          that the triangle covers.
 /// Out      attr: the interpolated attributes.
 /// Errors   |attribute - exact| <= spec::error_bounds(design).attribute_lsb, whatever the w's.
-/// Twin     rtl/perspective_interpolator.sv.
+/// Twin     rtl/interp/perspective_interpolator.sv.
 void perspective_attributes(const spec::Contract& contract, const spec::Stamp& stamp, int i, int j,
                             spec::Attributes* attr);
 

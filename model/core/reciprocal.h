@@ -19,7 +19,7 @@ struct Reciprocal {
 /// In       area2, 0 < area2 < 2^(AREA2_BITS - 1); a design with a reciprocal.
 /// Out      mantissa UQ0.k in [1/2, 1).
 /// Errors   |relative error| <= spec::reciprocal_error_bound(design).
-/// Twin     rtl/reciprocal.sv, and beside it a module a scheme.
+/// Twin     rtl/reciprocal/reciprocal.sv, and beside it a module a scheme.
 Reciprocal reciprocal(const spec::Contract& contract, int64_t area2);
 
 }  // namespace pineda::core

@@ -17,7 +17,7 @@ bool clip_rows(const spec::Contract& contract, int first, int last, spec::SetupP
 ///          corner sample, and an edge accepts a tile when it is >= 0 at its worst corner sample.
 /// In       a SetupPrim.
 /// Out      next(): one tile test a call; *tile is written when the tile is kept.
-/// Twin     rtl/traversal_unit.sv (one test a cycle).
+/// Twin     rtl/traversal/traversal_unit.sv (one test a cycle).
 class TileWalk {
  public:
   enum class Test { kRejected, kKept, kEnd };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "model/scene/triangulate.h"
+#include "model/scene/polygons/triangulate.h"
 
 namespace pineda::scene {
 namespace {

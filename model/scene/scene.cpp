@@ -8,15 +8,15 @@
 #include <string_view>
 #include <utility>
 
-#include "model/scene/builtin.h"
-#include "model/scene/gltf_reader.h"
-#include "model/scene/hard_cases.h"
-#include "model/scene/lines.h"
+#include "model/scene/builtin/builtin.h"
+#include "model/scene/hard/cases.h"
 #include "model/scene/mesh_reader.h"
-#include "model/scene/obj_reader.h"
-#include "model/scene/ply_reader.h"
-#include "model/scene/ptrb_reader.h"
-#include "model/scene/tri_reader.h"
+#include "model/scene/readers/gltf/reader.h"
+#include "model/scene/readers/lines.h"
+#include "model/scene/readers/obj_reader.h"
+#include "model/scene/readers/ply_reader.h"
+#include "model/scene/readers/ptrb_reader.h"
+#include "model/scene/readers/tri_reader.h"
 
 namespace pineda::scene {
 namespace {

@@ -20,7 +20,7 @@ namespace pineda::timing {
 ///          hides(): tile tests, in the order of theirs.
 /// Rate     a write accepted in t is seen by a test in t + hierarchical_z_delay_cycles.
 /// Drops    tiles beyond hierarchical_z_tiles: never hidden.
-/// Twin     rtl/hierarchical_z.sv.
+/// Twin     rtl/interp/hierarchical_z.sv.
 class HierarchicalZ {
  public:
   /// `catch_up(cycle)` is called before a test in that cycle: by then every write accepted before

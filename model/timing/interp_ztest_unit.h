@@ -25,7 +25,7 @@ namespace pineda::timing {
 ///          is in flight and no port stalls.
 /// Drops    samples that fail the test.
 /// Errors   a stream or port left unbound: SC_REPORT_FATAL "pineda/interp_ztest/unbound".
-/// Twin     rtl/interp_ztest_unit.sv.
+/// Twin     rtl/interp/interp_ztest_unit.sv.
 ///
 /// Timing, for stamp n, with p = the stamp before it and T = width.inflight_stamps:
 ///   accept[n] = the first cycle in which the read port is ready, not before

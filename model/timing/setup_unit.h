@@ -18,7 +18,7 @@ namespace pineda::timing {
 /// Drops    area2 = 0, culled by facing, box without a sample or outside the frame: accepted,
 ///          counted, not sent.
 /// Errors   a stream left unbound: SC_REPORT_FATAL "pineda/setup/unbound".
-/// Twin     rtl/setup_unit.sv, same ports. Source: Pineda, SIGGRAPH 1988.
+/// Twin     rtl/setup/setup_unit.sv, same ports. Source: Pineda, SIGGRAPH 1988.
 ///
 /// Timing. An output that is offered and not taken freezes the whole unit. So the unit has a time
 /// of its own, its steps: a step is a cycle without such a freeze, and

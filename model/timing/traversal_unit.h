@@ -17,7 +17,7 @@ namespace pineda::timing {
 /// Rate     one tile test a cycle and one stamp test a cycle, side by side. Latency 4 cycles.
 /// Drops    tiles that an edge rejects, stamps without a covered sample: counted.
 /// Errors   a stream left unbound: SC_REPORT_FATAL "pineda/traversal/unbound".
-/// Twin     rtl/traversal_unit.sv, same ports. Source: Pineda, SIGGRAPH 1988.
+/// Twin     rtl/traversal/traversal_unit.sv, same ports. Source: Pineda, SIGGRAPH 1988.
 ///
 /// Timing. Two walkers with a FIFO between them, each with a local time. The tile walker takes a
 /// triangle as early as in the cycle of its last test and tests its first tile in the next one:

@@ -8,7 +8,7 @@
 #include "model/core/frame.h"
 #include "model/scene/snap.h"
 #include "model/spec/bounds.h"
-#include "studies/truth.h"
+#include "studies/judge/truth.h"
 #include "tests/core/support.h"
 
 namespace pineda::test {

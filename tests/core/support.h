@@ -9,7 +9,7 @@
 #include "model/core/setup.h"
 #include "model/core/traversal.h"
 #include "model/exact/exact.h"
-#include "studies/random_triangles.h"
+#include "studies/numerics/random_triangles.h"
 
 namespace pineda::test {
 

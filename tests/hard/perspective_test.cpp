@@ -4,7 +4,7 @@
 
 #include "model/scene/snap.h"
 #include "model/spec/bounds.h"
-#include "studies/truth.h"
+#include "studies/judge/truth.h"
 #include "tests/hard/support.h"
 
 namespace pineda::hard {

@@ -8,7 +8,7 @@
 
 #include "model/core/frame.h"
 #include "model/exact/exact.h"
-#include "model/scene/hard_cases.h"
+#include "model/scene/hard/cases.h"
 
 namespace pineda::hard {
 

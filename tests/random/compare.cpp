@@ -8,7 +8,7 @@
 
 #include "model/scene/scene.h"
 #include "model/timing/counter_list.h"
-#include "studies/child.h"
+#include "studies/cycles/child.h"
 #include "tb/ready.h"
 #include "tests/timing/support.h"
 

@@ -6,7 +6,7 @@
 
 #include "model/spec/widths.h"
 #include "tests/spec/schemes.h"
-#include "vectors/rng.h"
+#include "vectors/generator/rng.h"
 
 namespace pineda::tb {
 

@@ -21,17 +21,17 @@ fault() {  # FILE SED-COMMAND
 }
 
 # Setup: every edge counts as top-left, so shared edges are hit twice.
-fault rtl/setup_edges.sv 's/top_left = dy < 0 .*;/top_left = dy < 0 || dx > 0 || dx <= 0;/'
+fault rtl/setup/setup_edges.sv 's/top_left = dy < 0 .*;/top_left = dy < 0 || dx > 0 || dx <= 0;/'
 # Traversal: a tile whose best corner lies just inside an edge is rejected.
-fault rtl/tile_walker.sv 's/assign rejects\[i\] = best < 0;/assign rejects[i] = best <= 0;/'
+fault rtl/traversal/tile_walker.sv 's/assign rejects\[i\] = best < 0;/assign rejects[i] = best <= 0;/'
 # Depth test: less passes equal depths.
-fault rtl/interp_ztest_unit.sv "s/\(DEPTH_LESS: .*\)3'b100/\13'b110/"
+fault rtl/interp/interp_ztest_unit.sv "s/\(DEPTH_LESS: .*\)3'b100/\13'b110/"
 
 # Top: the memories are always told to clear depth to the greatest code.
 fault rtl/raster_top.sv "s/clear_depth_o = .*;/clear_depth_o = '1;/"
 
 # Counters: a stamp walker that waits is busy.
-fault rtl/stamp_walker.sv 's/cycle_cause_pkg::BLOCKED/cycle_cause_pkg::BUSY/'
+fault rtl/traversal/stamp_walker.sv 's/cycle_cause_pkg::BLOCKED/cycle_cause_pkg::BUSY/'
 
 # Package: two fields of a tile change places. It is generated, so its generator is wrapped.
 cat > "$folder/emit" <<WRAPPER

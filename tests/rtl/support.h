@@ -9,8 +9,8 @@
 
 #include "tb/frame_bench.h"
 #include "tb/unit_bench.h"
-#include "vectors/file.h"
-#include "vectors/rng.h"
+#include "vectors/generator/rng.h"
+#include "vectors/grammar/file.h"
 
 namespace pineda::tb {
 

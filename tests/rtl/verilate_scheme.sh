@@ -7,13 +7,12 @@ rtl=$1 top=$2 package=$3 folder=$4 verilator=$5
 name=$(basename "$folder")
 rm -rf "$folder"
 mkdir -p "$folder/rtl"
-cp "$rtl"/reciprocal*.sv "$rtl"/setup_*.sv "$rtl"/lib/delay_line.sv "$folder/rtl"
+cp "$rtl"/reciprocal/*.sv "$rtl"/setup/*.sv "$rtl"/lib/delay_line.sv "$folder/rtl"
 if [ $# -gt 5 ]; then
   sed -i "$6" "$folder"/rtl/*.sv
   changed=no
   for file in "$folder"/rtl/*.sv; do
-    name_of=$(basename "$file")
-    cmp -s "$file" "$rtl/$name_of" || cmp -s "$file" "$rtl/lib/$name_of" || changed=yes
+    cmp -s "$file" "$rtl"/*/"$(basename "$file")" || changed=yes
   done
   if [ $changed = no ]; then
     echo "verilate_scheme.sh: '$6' changes nothing" >&2

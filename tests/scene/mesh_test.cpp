@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/scene/builtin.h"
+#include "model/scene/builtin/builtin.h"
 #include "model/scene/snap.h"
 #include "tests/scene/mesh_source.h"
 #include "tests/scene/scratch.h"

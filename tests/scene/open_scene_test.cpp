@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "model/scene/hard_cases.h"
+#include "model/scene/hard/cases.h"
 #include "tests/scene/scratch.h"
 
 namespace pineda::scene {

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "cli/report.h"
+#include "cli/report/report.h"
 
 namespace pineda::test {
 namespace {

@@ -1,5 +1,5 @@
 // Sampled cycles against those of the full run, on streams of three kinds.
-#include "studies/sample.h"
+#include "studies/cycles/sample.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "vectors/file.h"
+#include "vectors/grammar/file.h"
 
 namespace pineda::vectors {
 namespace {

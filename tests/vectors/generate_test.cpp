@@ -1,12 +1,12 @@
 // The generator: the same every time, and borne out by the judge or not at all.
-#include "vectors/generate.h"
+#include "vectors/generator/generate.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "tests/vectors/samples.h"
-#include "vectors/rng.h"
+#include "vectors/generator/rng.h"
 
 namespace pineda::vectors {
 namespace {

@@ -1,7 +1,7 @@
 // Small cases of each unit, made in memory.
 #pragma once
 
-#include "vectors/file.h"
+#include "vectors/grammar/file.h"
 
 namespace pineda::vectors {
 

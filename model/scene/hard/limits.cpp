@@ -1,0 +1,231 @@
+// Hard cases at the limits: of the guard band, the frame, the tiles and the numbers.
+#include <algorithm>
+#include <limits>
+
+#include "model/scene/hard/draw.h"
+
+namespace pineda::scene::hard {
+namespace {
+
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+// Corners of the guard band three by three, both ways round; then triangles with an edge through
+// the frame whose ends lie thousands of pixels away.
+std::vector<ScreenTriangle> huge() {
+  Drawing d(11);
+  static constexpr std::array<Point, 4> kCorner{
+      {{kLeast, kLeast}, {kGreatest, kLeast}, {kGreatest, kGreatest}, {kLeast, kGreatest}}};
+  for (size_t i = 0; i < 4; ++i) {
+    d.add(kCorner[i], kCorner[(i + 1) % 4], kCorner[(i + 2) % 4]);
+    d.add(kCorner[i], kCorner[(i + 2) % 4], kCorner[(i + 1) % 4]);
+  }
+  for (int i = 0; i < 16; ++i) {
+    const Point q = d.in_box({0, 0}, {24 * kPx, 16 * kPx});
+    const Point along = d.near({0, 0}, 8000 * kPx);
+    const Point far = d.near({0, 0}, kGreatest);
+    d.add_shuffled(q + along, q - along, far);
+  }
+  return d.triangles();
+}
+
+// A fan from the middle of the frame to the borders of the guard band, all the way round.
+std::vector<ScreenTriangle> guard_band_fan() {
+  constexpr int kTriangles = 64;
+  Drawing d(19);
+  // Along a side of the guard band's square, then along the next.
+  std::vector<Point> ring;
+  for (int i = 0; i < kTriangles; ++i) {
+    constexpr int kOnASide = kTriangles / 4;
+    const int along = std::min(
+        kLeast + i % kOnASide * (2 * kGuardPx / kOnASide) * kPx + d.random().in(0, 500 * kPx),
+        kGreatest);
+    const std::array<Point, 4> sides{
+        {{along, kLeast}, {kGreatest, along}, {-1 - along, kGreatest}, {kLeast, -1 - along}}};
+    ring.push_back(sides[static_cast<size_t>(i / kOnASide)]);
+  }
+  const Point middle = d.near({160 * kPx, 120 * kPx}, 20 * kPx);
+  for (size_t i = 0; i < ring.size(); ++i) {
+    d.add_shuffled(middle, ring[i], ring[(i + 1) % ring.size()]);
+  }
+  return d.triangles();
+}
+
+// A jittered mesh in the far corner of the widest frame, up to the border of the guard band.
+std::vector<ScreenTriangle> far_mesh() {
+  constexpr int kColumns = 60;
+  constexpr int kRows = 16;
+  constexpr int kSpacing = 4 * kPx;
+  Drawing d(20);
+  std::vector<Point> vertex;
+  for (int j = 0; j <= kRows; ++j) {
+    for (int i = 0; i <= kColumns; ++i) {
+      const bool inside = i > 0 && i < kColumns && j > 0 && j < kRows;
+      const Point p{kGreatest - (kColumns - i) * kSpacing, j * kSpacing};
+      vertex.push_back(inside ? d.near(p, kSpacing / 5) : p);
+    }
+  }
+  for (int j = 0; j < kRows; ++j) {
+    for (int i = 0; i < kColumns; ++i) {
+      const auto at = [&](int column, int row) {
+        const auto index = static_cast<size_t>(row) * (kColumns + 1) + static_cast<size_t>(column);
+        return vertex[index];
+      };
+      d.add_shuffled(at(i, j), at(i + 1, j), at(i, j + 1));
+      d.add_shuffled(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  }
+  return d.triangles();
+}
+
+// One component outside the guard band: from the first multiple of 1/256 px to infinity.
+std::vector<ScreenTriangle> beyond_guard_band() {
+  Drawing d(12);
+  for (const float beyond :
+       {16384.f, 16384.5f, 20000.f, 1e6f, 0x1p31f, std::numeric_limits<float>::max(), kInf}) {
+    for (size_t component = 0; component < 4; ++component) {
+      const Point b = d.in_box({0, 0}, {24 * kPx, 16 * kPx});
+      const Point c = d.in_box({0, 0}, {24 * kPx, 16 * kPx});
+      std::array<ScreenVertex, 3> v{d.vertex({}), d.vertex(b), d.vertex(c)};
+      // -16384 itself is inside.
+      const float value = component < 2 ? beyond : -beyond - .5f;
+      (component % 2 == 0 ? v[0].x : v[0].y) = value;
+      (component % 2 == 0 ? v[0].y : v[0].x) = d.random().between(-20, 40);
+      d.add_shuffled(v);
+    }
+  }
+  return d.triangles();
+}
+
+// Triangles over every corner and side of a frame, and some about its middle.
+std::vector<ScreenTriangle> over_borders(uint64_t seed, int width, int height, int reach_px) {
+  Drawing d(seed);
+  const Point middle{width * kHalfPx, height * kHalfPx};
+  for (int i = 0; i < 27; ++i) {
+    const Point at{(i % 3) * middle.x, (i / 3 % 3) * middle.y};
+    const Point a = d.near(at, reach_px * kPx);
+    const Point b = d.near(at, reach_px * kPx);
+    d.add_shuffled(a, b, d.near(at, reach_px * kPx));
+  }
+  return d.triangles();
+}
+std::vector<ScreenTriangle> odd_frame_641x479() { return over_borders(13, 641, 479, 24); }
+std::vector<ScreenTriangle> odd_frame_13x7() { return over_borders(14, 13, 7, 12); }
+std::vector<ScreenTriangle> odd_frame_1x1() { return over_borders(15, 1, 1, 2); }
+
+// Vertices on the corners of 8x8 tiles, a subpixel or half a pixel off them; then edges along the
+// borders of tiles.
+std::vector<ScreenTriangle> tile_corners() {
+  constexpr int kTile = 8 * kPx;
+  Drawing d(16);
+  const auto corner = [&] {
+    const Point p = kTile * d.in_box({0, 0}, {5, 5});
+    const int offset = d.random().coin() ? 1 : kHalfPx;
+    return p + offset * d.in_box({-1, -1}, {1, 1});
+  };
+  for (int i = 0; i < 32; ++i) {
+    const Point a = corner();
+    const Point b = corner();
+    d.add_shuffled(a, b, corner());
+  }
+  for (int i = 0; i < 16; ++i) {
+    const int x = (1 + i % 4) * kTile + d.random().in(-1, 1) * kHalfPx;
+    const Point far = d.in_box({0, 0}, {5 * kTile, 5 * kTile});
+    const Point a{x, d.random().in(0, 2 * kTile)};
+    const Point b{x, d.random().in(3 * kTile, 5 * kTile)};
+    const auto turned = [&](Point p) { return i < 8 ? p : Point{p.y, p.x}; };
+    d.add_shuffled(turned(a), turned(b), turned(far));
+  }
+  return d.triangles();
+}
+
+// Coordinates that are the format's extremes or next to zero, in all combinations of signs; depth
+// and colours 0 or greatest. Then, in cells, all combinations of extreme values on small triangles.
+std::vector<ScreenTriangle> format_extremes() {
+  static constexpr std::array<int, 8> kExtremes{kLeast, kGreatest, kLeast + 1, kGreatest - 1,
+                                                -1,     0,         1,          kHalfPx};
+  Drawing d(17);
+  const auto extreme = [](ScreenVertex v, bool far, bool bright) {
+    v.z = far ? 1.f : 0.f;
+    v.rgba.fill(bright ? 255 : 0);
+    return v;
+  };
+  for (int i = 0; i < 64; ++i) {
+    std::array<ScreenVertex, 3> v;
+    for (int k = 0; k < 3; ++k) {
+      const Point pick = d.in_box({0, 0}, {7, 7});
+      const int x = kExtremes[static_cast<size_t>(pick.x)];
+      const int y = kExtremes[static_cast<size_t>(pick.y)];
+      // ~x keeps the guard band: -1 - least is the greatest.
+      const int quadrant = i >> (2 * k);
+      const Point p{(quadrant & 1) != 0 ? x : ~x, (quadrant & 2) != 0 ? y : ~y};
+      const bool far = d.random().coin();
+      v[static_cast<size_t>(k)] = extreme(d.vertex(p), far, d.random().coin());
+    }
+    d.add(v);
+  }
+  for (int i = 0; i < 16; ++i) {
+    const Point origin = cell(i, 4);
+    std::array<ScreenVertex, 3> v;
+    for (int k = 0; k < 3; ++k) {
+      const Point p = origin + d.in_box({0, 0}, {kCellPx * kPx, kCellPx * kPx});
+      // The colours run with the depth in the first eight, against it in the others.
+      const bool high = (i >> k & 1) != 0;
+      v[static_cast<size_t>(k)] = extreme(d.vertex(p), high, high == (i < 8));
+    }
+    d.add(v);
+  }
+  return d.triangles();
+}
+
+// NaN in each component in turn, then both infinities, then the least denormals; an ordinary
+// triangle comes last.
+std::vector<ScreenTriangle> not_numbers() {
+  Drawing d(18);
+  const auto add = [&](size_t corner, size_t component, float value) {
+    std::array<ScreenVertex, 3> v{d.vertex({4 * kPx, 3 * kPx}), d.vertex({29 * kPx, 9 * kPx}),
+                                  d.vertex({11 * kPx, 28 * kPx})};
+    ScreenVertex& at = v[corner];
+    (component == 0 ? at.x : component == 1 ? at.y : component == 2 ? at.z : at.w) = value;
+    d.add(v);
+  };
+  constexpr float kDenormal = std::numeric_limits<float>::denorm_min();
+  for (const float value : {std::numeric_limits<float>::quiet_NaN(), kInf, -kInf, kDenormal,
+                            -kDenormal, std::numeric_limits<float>::min() - kDenormal}) {
+    // A W that is no number drops the triangle; no reader lets an infinite or a denormal one in.
+    const size_t components = value != value ? 4 : 3;
+    for (size_t i = 0; i < 3 * components; ++i) add(i / components, i % components, value);
+  }
+  add(0, 3, 1);
+  return d.triangles();
+}
+
+}  // namespace
+
+std::vector<HardCase> limit_cases() {
+  return {
+      {"huge", "corners of the guard band, and edges of 8000 px through the frame",
+       "exact coverage and values; nothing saturates", frame(24, 16), huge},
+      {"guard_band_fan", "a fan from the middle of the frame to the borders of the guard band",
+       "every sample exactly once", frame(320, 240), guard_band_fan},
+      {"far_mesh", "small triangles 16,000 px from the origin, up to the border of the guard band",
+       "every sample exactly once; single-precision setup leaves holes", frame(16384, 64),
+       far_mesh},
+      {"beyond_guard_band", "one component from 16384 px to infinity",
+       "saturated at the guard band and counted, never wrapped", frame(24, 16), beyond_guard_band},
+      {"odd_frame_641x479", "triangles over all borders of a frame that cuts stamps and tiles",
+       "nothing outside the frame is read, written or counted", frame(641, 479), odd_frame_641x479},
+      {"odd_frame_13x7", "the same on two tiles, both cut",
+       "nothing outside the frame is read, written or counted", frame(13, 7), odd_frame_13x7},
+      {"odd_frame_1x1", "the same on a single sample",
+       "nothing outside the frame is read, written or counted", frame(1, 1), odd_frame_1x1},
+      {"tile_corners", "vertices in the corners of tiles, edges along their borders",
+       "no stamp is lost or sent twice", frame(40, 40), tile_corners},
+      {"format_extremes", "greatest, least and smallest coordinates, depths and colours",
+       "every width holds; shifts floor", frame(64, 64), format_extremes},
+      {"not_numbers", "NaN, infinities and denormals in each component in turn",
+       "NaN drops the triangle, an infinity saturates, a denormal is 0; all are counted",
+       frame(32, 32), not_numbers},
+  };
+}
+
+}  // namespace pineda::scene::hard

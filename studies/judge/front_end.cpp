@@ -1,0 +1,33 @@
+#include "studies/judge/front_end.h"
+
+#include <algorithm>
+
+#include "studies/judge/truth.h"
+
+namespace pineda::studies {
+
+MeshJudgement judge_front_end(const scene::ClipMesh& mesh, const spec::FrameState& frame,
+                              const std::vector<SceneTriangle>& pieces,
+                              const spec::Design& design) {
+  spec::Design exact = design;  // as far as a judge looks at it
+  exact.perspective = true;
+  MeshJudge judge(mesh, spec::contract(exact), frame);
+  const auto channels = std::min<size_t>(static_cast<size_t>(spec::channels(design)), 4);
+  const auto smooth = static_cast<size_t>(design.attributes);
+  Truth truth;
+  for (const SceneTriangle& piece : pieces) {
+    truth.judge({piece.screen, format_of(design), exact_frame(frame)});
+    for (const exact::Sample& sample : truth.samples()) {
+      MeshHit hit{
+          sample.x, sample.y, piece.snapped.id, static_cast<uint32_t>(sample.z.nearest), {}};
+      for (size_t k = 0; k < channels; ++k) {
+        hit.color[k] = k < smooth ? static_cast<int32_t>(truth.attribute(sample, k, true).nearest)
+                                  : truth.flat()[k];
+      }
+      judge.hit(hit);
+    }
+  }
+  return judge.finish();
+}
+
+}  // namespace pineda::studies

@@ -1,0 +1,48 @@
+// One design on one scene before the exact judge: every sample's coverage and values, and what is
+// seen in the end.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "studies/judge/scene_truth.h"
+#include "studies/needs/scene_use.h"
+
+namespace pineda::studies {
+
+/// What a design must hold at every covered sample of a scene, hidden ones included.
+struct SceneLimits {
+  double depth_ulp = 1;  // in codes of the design's own depth
+  double color_lsb = 1;  // against perspective-correct colours where the w of a triangle differ
+  uint64_t other_winner = 0;  // samples that may show another triangle than with exact depths
+};
+
+struct SceneJudgement {
+  uint64_t samples = 0;       // judged
+  uint64_t missing = 0;       // exact covers, the design does not
+  uint64_t extra = 0;         // the design covers, exact does not; a second time counts too
+  uint64_t other_winner = 0;  // samples of the frame that show another triangle
+  double max_depth_ulp = 0;
+  double max_color_lsb = 0;
+  bool finished = true;  // false: stopped at the first triangle out of the limits
+
+  bool holds(const SceneLimits& limits) const;
+  /// Empty if it holds, else what does not, in a few words.
+  std::string broken(const SceneLimits& limits) const;
+};
+
+struct SceneJudgeOptions {
+  SceneLimits limits;
+  bool stop_early = false;  // where a limit is broken
+  std::function<void(uint64_t triangles)> progress;
+};
+
+/// Draws the scene with `design` in bounded memory. `guard_bits`: of the design that the scene was
+/// opened for, whose positions are the true ones. `truths`: what is known of this scene from
+/// designs before, of as many channels; or nullptr.
+SceneJudgement judge_scene(const scene::Scene& scene, const spec::Design& design, int guard_bits,
+                           const Winners& winners, const SceneJudgeOptions& options,
+                           TruthCache* truths = nullptr);
+
+}  // namespace pineda::studies

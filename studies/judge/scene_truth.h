@@ -1,0 +1,69 @@
+// A scene's triangles beside what exact arithmetic says of them, one by one, in bounded memory.
+#pragma once
+
+#include <memory>
+
+#include "model/scene/resnap.h"
+#include "model/scene/scene.h"
+#include "studies/judge/truth.h"
+
+namespace pineda::studies {
+
+/// A triangle as a scene states it, for the judge.
+exact::ScreenTriangle stated(const scene::ScreenTriangle& triangle);
+
+/// Reads the scene from its start and calls visit(spec::Triangle, exact::ScreenJudge) for each
+/// triangle, snapped for `contract`, until it returns false. The judge takes the triangle in
+/// `format`, which may be wider.
+template <class Visitor>
+void for_each_judged(const scene::Scene& scene, const spec::Contract& contract,
+                     const exact::Format& format, Visitor&& visit) {
+  scene::SnappedSource source(contract, std::make_unique<scene::Unsnapped>(scene.source.get()));
+  source.rewind();
+  const exact::Frame frame = exact_frame(scene.frame);
+  spec::Triangle triangle;
+  while (source.next(&triangle)) {
+    const exact::ScreenJudge judge(stated(source.screen()), format, frame);
+    if (!visit(triangle, judge)) return;
+  }
+}
+
+/// The truth of triangles that are judged again and again, as far as memory allows.
+class TruthCache {
+ public:
+  /// Bounded by the samples that it keeps, 224 bytes each.
+  explicit TruthCache(size_t most_samples = size_t{1} << 20) : most_samples_(most_samples) {}
+
+  /// Before each pass over the scene. What is kept was judged in the same format.
+  void start(const exact::Format& format);
+  /// Of the triangle of this number in the scene in these of its rows, until the next call.
+  const Truth& truth(size_t number, const exact::ScreenJudge& judge, exact::Span rows);
+
+ private:
+  size_t most_samples_;
+  size_t samples_ = 0;
+  int depth_bits_ = -1;
+  std::vector<Truth> kept_;  // of the first triangles
+  Truth other_;
+};
+
+/// Calls visit(rows) for bands of a triangle's rows, each of whole rows of tiles and with a bounded
+/// number of samples. The first and the last one go on to the frame's border.
+template <class Visitor>
+void for_each_band(const exact::ScreenJudge& judge, int width_px, int tile_log2, Visitor&& visit) {
+  constexpr int kSamples = 1 << 18;
+  const exact::Span rows = judge.rows();
+  const int tiles = std::max(1, kSamples / (width_px << tile_log2));
+  const int last_tile = std::max(0, rows.last >> tile_log2);
+  int first = 0;
+  do {
+    const int begin = std::max(first, (rows.first > 0 ? rows.first : 0) >> tile_log2);
+    const int last = begin + tiles > last_tile ? (1 << 16) : begin + tiles - 1;
+    const exact::Span part{std::max(rows.first, first << tile_log2),
+                           std::min(rows.last, ((last + 1) << tile_log2) - 1)};
+    visit(first, last, part);
+    first = last + 1;
+  } while (first <= last_tile);
+}
+
+}  // namespace pineda::studies

@@ -1,0 +1,183 @@
+#include "studies/needs/shrink.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/spec/bounds.h"
+#include "studies/needs/design_cost.h"
+
+namespace pineda::studies {
+namespace {
+
+using spec::Design;
+using spec::ReciprocalScheme;
+using Designs = std::vector<Design>;
+
+std::string number(bool is_used, int value) { return is_used ? std::to_string(value) : "-"; }
+
+template <int Design::*Parameter>
+Designs less(const Design& design) {
+  Designs all;
+  for (Design d = design; d.*Parameter > 0;) {
+    --(d.*Parameter);
+    // The fraction inside a tile is no longer than that of the gradient.
+    d.tile_fraction_bits = std::min(d.tile_fraction_bits, d.gradient_fraction_bits);
+    all.push_back(d);
+  }
+  return all;
+}
+
+template <int Design::*Parameter>
+void copy_one(const Design& from, Design* to) {
+  to->*Parameter = from.*Parameter;
+}
+
+// The planes' fractions end where the reciprocal's bits do.
+void fit_fractions(Design* d) {
+  d->gradient_fraction_bits =
+      std::min(d->gradient_fraction_bits, d->reciprocal_bits - d->subpixel_bits);
+  d->tile_fraction_bits = std::min(d->tile_fraction_bits, d->gradient_fraction_bits);
+}
+
+std::string reciprocal_text(const Design& d) {
+  if (!spec::has_reciprocal(d)) return "-";
+  const bool has_rom = d.reciprocal_scheme == ReciprocalScheme::kNewton ||
+                       d.reciprocal_scheme == ReciprocalScheme::kQuadratic;
+  std::string text = spec::reciprocal_scheme_name(d.reciprocal_scheme);
+  if (has_rom) text += fmt::format(" lut {}", d.reciprocal_lut_bits);
+  if (d.reciprocal_scheme == ReciprocalScheme::kNewton) {
+    text += fmt::format(" steps {}", d.reciprocal_newton_steps);
+  }
+  return text + fmt::format(" k {}", d.reciprocal_bits);
+}
+
+Designs cheaper_reciprocals(const Design& d) {
+  const int64_t now = design_cost(d).total();
+  Designs all;
+  for (const Design& other : reciprocal_front(d)) {
+    if (design_cost(other).total() < now) all.insert(all.begin(), other);
+  }
+  return all;
+}
+
+void copy_reciprocal(const Design& from, Design* to) {
+  to->reciprocal_scheme = from.reciprocal_scheme;
+  to->reciprocal_lut_bits = from.reciprocal_lut_bits;
+  to->reciprocal_newton_steps = from.reciprocal_newton_steps;
+  to->reciprocal_bits = from.reciprocal_bits;
+}
+
+// The last interpolated attribute becomes the first vertex's, and so on.
+Designs more_flat(const Design& design) {
+  Designs all;
+  for (Design d = design; d.attributes > 0;) {
+    --d.attributes;
+    ++d.flat_attributes;
+    d.perspective = d.perspective && d.attributes > 0;
+    all.push_back(d);
+  }
+  return all;
+}
+
+template <bool Design::*Switch>
+Designs without(const Design& design) {
+  if (!(design.*Switch)) return {};
+  Design d = design;
+  d.*Switch = false;
+  d.hierarchical_z = d.hierarchical_z && d.depth_test;
+  return {d};
+}
+
+/// Every reciprocal that there is.
+std::vector<Design> all_reciprocals(const Design& design) {
+  std::vector<Design> all;
+  for (int k = 12; k <= 32; ++k) {
+    const auto add = [&](ReciprocalScheme scheme, int lut_bits, int newton_steps) {
+      Design d = design;
+      d.reciprocal_scheme = scheme;
+      d.reciprocal_lut_bits = lut_bits;
+      d.reciprocal_newton_steps = newton_steps;
+      d.reciprocal_bits = k;
+      fit_fractions(&d);
+      all.push_back(d);
+    };
+    // What a scheme does not use stays as it is.
+    const int steps_now = design.reciprocal_newton_steps;
+    add(ReciprocalScheme::kRestoring2, design.reciprocal_lut_bits, steps_now);
+    add(ReciprocalScheme::kRestoring4, design.reciprocal_lut_bits, steps_now);
+    for (int lut_bits = 4; lut_bits <= 12; ++lut_bits) {
+      add(ReciprocalScheme::kQuadratic, lut_bits, steps_now);
+      for (const int steps : {0, 1, 2}) add(ReciprocalScheme::kNewton, lut_bits, steps);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Design> reciprocal_front(const Design& design) {
+  struct Point {
+    Design design;
+    int64_t cost;
+    double error;
+  };
+  std::vector<Point> points;
+  const int interval = spec::widths(design).setup_interval_cycles;
+  for (const Design& d : all_reciprocals(design)) {
+    if (!spec::invalid_reason(d).empty()) continue;
+    if (spec::widths(d).setup_interval_cycles > interval) continue;
+    points.push_back({d, design_cost(d).total(), spec::reciprocal_error_bound(d)});
+  }
+  std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
+    return a.cost != b.cost ? a.cost < b.cost : a.error < b.error;
+  });
+  std::vector<Design> front;
+  double error = 1;
+  for (const Point& p : points) {
+    if (p.error >= error) continue;
+    error = p.error;
+    front.push_back(p.design);
+  }
+  return front;
+}
+
+const std::vector<ShrinkableParameter>& shrinkable_parameters() {
+  static const std::vector<ShrinkableParameter> all{
+      {"guard_bits", [](const Design& d) { return number(true, d.guard_bits); },
+       less<&Design::guard_bits>, copy_one<&Design::guard_bits>},
+      {"depth_test", [](const Design& d) -> std::string { return d.depth_test ? "true" : "false"; },
+       without<&Design::depth_test>,
+       [](const Design& from, Design* to) { to->depth_test = from.depth_test; }},
+      {"attributes",
+       [](const Design& d) { return fmt::format("{} + {} flat", d.attributes, d.flat_attributes); },
+       more_flat,
+       [](const Design& from, Design* to) {
+         to->attributes = from.attributes;
+         to->flat_attributes = from.flat_attributes;
+       }},
+      {"perspective",
+       [](const Design& d) -> std::string { return d.perspective ? "true" : "false"; },
+       without<&Design::perspective>,
+       [](const Design& from, Design* to) { to->perspective = from.perspective; }},
+      {"depth_bits", [](const Design& d) { return number(d.depth_test, d.depth_bits); },
+       less<&Design::depth_bits>, copy_one<&Design::depth_bits>},
+      {"inverse_w_bits", [](const Design& d) { return number(d.perspective, d.inverse_w_bits); },
+       less<&Design::inverse_w_bits>, copy_one<&Design::inverse_w_bits>},
+      {"reciprocal", reciprocal_text, cheaper_reciprocals, copy_reciprocal},
+      {"tile_fraction_bits",
+       [](const Design& d) { return number(spec::plane_count(d) > 0, d.tile_fraction_bits); },
+       less<&Design::tile_fraction_bits>, copy_one<&Design::tile_fraction_bits>},
+      {"gradient_fraction_bits",
+       [](const Design& d) { return number(spec::plane_count(d) > 0, d.gradient_fraction_bits); },
+       less<&Design::gradient_fraction_bits>, copy_one<&Design::gradient_fraction_bits>},
+  };
+  return all;
+}
+
+const ShrinkableParameter& shrinkable_parameter(const std::string& name) {
+  const auto& all = shrinkable_parameters();
+  return *std::find_if(all.begin(), all.end(), [&](const auto& p) { return name == p.name; });
+}
+
+}  // namespace pineda::studies

@@ -1,0 +1,17 @@
+#!/bin/sh
+# check_files.sh RTL: RTL/files.f names each synthesizable source of the folder once, the package first.
+set -eu
+cd "$1"
+bad=0
+refuse() {
+  echo "files.f: $1" >&2
+  bad=1
+}
+[ "$(head -n 1 files.f)" = pineda_pkg.sv ] || refuse "the package does not come first"
+while read -r file; do
+  [ -f "$file" ] || refuse "$file is not in the folder"
+done <files.f
+for file in $(find . -name '*.sv' -not -path './formal/*' | sed 's|^\./||' | sort); do
+  [ "$(grep -cxF "$file" files.f)" -eq 1 ] || refuse "$file is not in files.f once"
+done
+[ "$bad" -eq 0 ] && echo "$(wc -l <files.f) files"

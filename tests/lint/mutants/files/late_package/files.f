@@ -1,0 +1,2 @@
+lone.sv
+pineda_pkg.sv

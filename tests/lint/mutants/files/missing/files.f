@@ -1,0 +1,1 @@
+pineda_pkg.sv

@@ -1,0 +1,3 @@
+pineda_pkg.sv
+lone.sv
+gone.sv

@@ -1,0 +1,34 @@
+// Makes vector files: scenes, run through the model, borne out by the exact judge.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "vectors/generator/judge.h"
+#include "vectors/grammar/file.h"
+
+namespace pineda::vectors {
+
+/// A case that exact arithmetic does not bear out: a bug of the model, or a bound too tight.
+class Misjudged : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What became of the scenes of a level.
+struct Tally {
+  size_t cases = 0;
+  size_t empty = 0;  // nothing of the scene reaches the unit
+  size_t large = 0;  // more stamps or samples than a case of the unit may have
+};
+
+/// The cases of one unit. Throws Misjudged. `tally` may be nullptr.
+template <class Case>
+File<Case> generate(const spec::Contract& contract, int level, uint64_t seed, const Bounds& bounds,
+                    Tally* tally);
+
+/// The same, written to `path`. Throws Misjudged or Refused.
+Tally generate_file(Unit unit, const spec::Contract& contract, int level, uint64_t seed,
+                    const Bounds& bounds, const std::string& path);
+
+}  // namespace pineda::vectors
