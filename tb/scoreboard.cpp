@@ -6,6 +6,7 @@ struct Recorder {
   Reference& to;
   void prim(const spec::SetupPrim& token) { to.prims_.push_back(token); }
   void stamp(const spec::Stamp& token) { to.stamps_.push_back({token, false}); }
+  void fragment(const spec::Stamp&, const spec::Fragment&) {}
   void depth(const spec::DepthWrite& token) { to.depths_.push_back(token); }
   void color(const spec::ColorWrite& token) {
     to.stamps_.back().is_seen = true;

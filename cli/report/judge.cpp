@@ -167,7 +167,7 @@ Judgement judge(const scene::Scene& scene, core::Renderer* renderer, Progress* p
     judgement.bounds.depth_ulp = std::max(judgement.bounds.depth_ulp, own.depth_ulp);
     JudgeSink sink{contract, frame,      TileRowTruth(screen, contract.design),
                    own,      &judgement, mesh ? &*mesh : nullptr};
-    renderer->draw_showing_all(triangle, sink);
+    renderer->draw(triangle, sink);
     judgement.missing += static_cast<uint64_t>(screen.snapped().samples()) - sink.right;
   }
   if (mesh) judgement.mesh = mesh->finish();

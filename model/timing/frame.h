@@ -1,7 +1,8 @@
 // What the units share while they draw one frame.
 #pragma once
 
-#include "model/core/tile_shader.h"
+#include "model/fast/setup.h"
+#include "model/fast/tile_shader.h"
 #include "model/timing/cycles.h"
 #include "model/timing/hierarchical_z.h"
 #include "model/timing/last_write.h"
@@ -34,14 +35,14 @@ struct Frame {
   // by one. Else values are computed by whole tiles.
   bool tokens = false;
   // Else the contents of the memories, which are always ready and answer after this latency.
-  core::TiledBuffer* buffer = nullptr;
+  fast::TiledBuffer* buffer = nullptr;
   Cycle depth_latency = 0;
   bool has_values = true;  // stamps are drawn as they come; else only their time is known
   core::FrameCounters counters;
-  core::StampCounts stamps;  // sent
-  core::StampsBySamples stamps_by_samples{};
+  fast::StampCounts stamps;  // sent
+  fast::StampsBySamples stamps_by_samples{};
   std::array<Cycle, kMemoryPorts> port_stalls{};
-  core::Planes planes = core::Planes::kAll;  // what setup makes
+  fast::Planes planes = fast::Planes::kAll;  // what setup makes
   LastWrite* last_write = nullptr;           // depths wait until somebody needs them
   HierarchicalZ* hierarchical_z = nullptr;   // if the design has it
 };

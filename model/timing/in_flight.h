@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/core/tile_cover.h"
+#include "model/fast/tile_cover.h"
 #include "model/timing/cycles.h"
 
 namespace pineda::timing {
@@ -27,8 +27,8 @@ class InFlight {
 
   /// All stamps of a tile; that of test 0 retires, or would, in `retire`, the others a cycle later
   /// each.
-  void run(size_t tile, const core::TileCover& cover, Cycle retire) {
-    const core::StampBox& box = cover.box;
+  void run(size_t tile, const fast::TileCover& cover, Cycle retire) {
+    const fast::StampBox& box = cover.box;
     Tile& t = tiles_[tile];
     t.last = static_cast<uint16_t>(box.test_of(cover.covered.last));
     t.free = retire + t.last + 1;

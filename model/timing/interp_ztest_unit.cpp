@@ -31,13 +31,13 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
   const int tile_rows = ((frame->state.height - 1) >> d.tile_log2) + 1;
   const auto tiles = static_cast<size_t>(tile_columns_) * static_cast<size_t>(tile_rows);
   columns_log2_ = d.tile_log2 - d.stamp_width_log2;
-  tile_stamps_log2_ = core::stamps_log2(d);
+  tile_stamps_log2_ = fast::stamps_log2(d);
   write_free_ = retired_ = exit_ = -1;
 
   if (!frame->tokens) {
-    const bool all = frame->planes == core::Planes::kAll;
+    const bool all = frame->planes == fast::Planes::kAll;
     shader_.emplace(contract_, frame->state,
-                    all ? core::TileShader::Values::kAll : core::TileShader::Values::kDepth);
+                    all ? fast::TileShader::Values::kAll : fast::TileShader::Values::kDepth);
     in_flight_.begin_frame(tiles);
     pass_cycles_ = !d.depth_test ? 1
                    : !tests_     ? 3
@@ -62,17 +62,17 @@ Cycle InterpZtestUnit::take(const StampToken& stamp, Cycle visible) {
 
 // ---- Memories that are always ready
 
-size_t InterpZtestUnit::tile_of(const core::TileCover& cover) const {
+size_t InterpZtestUnit::tile_of(const fast::TileCover& cover) const {
   return static_cast<size_t>(cover.y) * static_cast<size_t>(tile_columns_) +
          static_cast<size_t>(cover.x);
 }
 
-size_t InterpZtestUnit::address_of(const core::TileCover& cover, int place) const {
+size_t InterpZtestUnit::address_of(const fast::TileCover& cover, int place) const {
   return (tile_of(cover) << tile_stamps_log2_) + static_cast<size_t>(place);
 }
 
 Cycle InterpZtestUnit::take_direct(const StampToken& stamp, Cycle visible) {
-  const core::TileCover& cover = *stamp.tile->cover;
+  const fast::TileCover& cover = *stamp.tile->cover;
   const bool first = stamp.place == cover.covered.first;
   if (first) draw(*stamp.tile);
   const size_t tile = tile_of(cover);
@@ -96,8 +96,8 @@ Cycle InterpZtestUnit::take_direct(const StampToken& stamp, Cycle visible) {
 
 bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
   if (frame_->tokens) return false;
-  const core::TileCover& cover = *tile.cover;
-  const core::TileSamples& covered = cover.covered;
+  const fast::TileCover& cover = *tile.cover;
+  const fast::TileSamples& covered = cover.covered;
   const Cycle first = first_visible + cover.box.test_of(covered.first);
   const size_t number = tile_of(cover);
   if (time_.now() > first || (tests_ && in_flight_.tile_free(number) > first)) return false;
@@ -123,8 +123,8 @@ void InterpZtestUnit::draw(const TileToken& tile) {
 }
 
 // The writes of a tile's stamps that passed; those of test 0 come, or would, in `retire`.
-void InterpZtestUnit::pass_run(const core::TileCover& cover, Cycle retire) {
-  const core::TileSamples& passed = frame_->has_values ? shader_->passed() : cover.covered;
+void InterpZtestUnit::pass_run(const fast::TileCover& cover, Cycle retire) {
+  const fast::TileSamples& passed = frame_->has_values ? shader_->passed() : cover.covered;
   if (passed.count == 0) return;
   pass(retire + cover.box.test_of(passed.last));
   if (!writes_depth_ || frame_->hierarchical_z == nullptr) return;
@@ -139,7 +139,7 @@ void InterpZtestUnit::pass(Cycle retire) {
 }
 
 // What hierarchical z sees of a stamp's depth write.
-void InterpZtestUnit::update(const core::TileCover& cover, int place, Cycle retire) {
+void InterpZtestUnit::update(const fast::TileCover& cover, int place, Cycle retire) {
   const spec::Design& d = contract_.design;
   const int x = (cover.x << columns_log2_) + (place & ((1 << columns_log2_) - 1));
   const int y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2_);
@@ -215,7 +215,7 @@ void InterpZtestUnit::test(const spec::Stamp& stamp, const spec::DepthData& data
   ++frame_->counters.interpolated;
   frame_->counters.passed += static_cast<uint64_t>(core::count_lanes(stored->passed));
   // Time depends on the address and the lanes alone.
-  if (frame_->planes == core::Planes::kAll) {
+  if (frame_->planes == fast::Planes::kAll) {
     core::interpolate_attributes(contract_, stamp, stored->passed, &fragment_);
   }
   core::color_write(contract_, stamp, fragment_, stored->passed, &stored->color);
@@ -251,7 +251,7 @@ void InterpZtestUnit::advance(Cycle until) {
 void InterpZtestUnit::drain() {
   advance(kForever);
   if (!frame_->tokens) {
-    const core::StampCounts& passed = frame_->has_values ? shader_->counts() : frame_->stamps;
+    const fast::StampCounts& passed = frame_->has_values ? shader_->counts() : frame_->stamps;
     frame_->counters.interpolated = passed.stamps;
     frame_->counters.passed = passed.samples;
   }

@@ -16,7 +16,7 @@ namespace pineda::timing {
 /// Interpolation and depth test: one stamp in, its depth and colour writes out, in order.
 ///
 /// Bits     core::interpolate_depth(), core::depth_test() and core::interpolate_attributes() define
-///          every output bit, core::TileShader finds the same faster; this class adds only time.
+///          every output bit, fast::TileShader finds the same faster; this class adds only time.
 /// In       stamp_i.
 /// Out      depth_io (reads too), color_wr_o: the covered samples that pass; nothing if none does.
 ///          With the test off, or depth not to be written, colour only. A design without depth has
@@ -111,13 +111,13 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   void end_of_elaboration() override;
 
   // Memories that are always ready
-  size_t tile_of(const core::TileCover& cover) const;
-  size_t address_of(const core::TileCover& cover, int place) const;
+  size_t tile_of(const fast::TileCover& cover) const;
+  size_t address_of(const fast::TileCover& cover, int place) const;
   void draw(const TileToken& tile);
   Cycle take_direct(const StampToken& stamp, Cycle visible);
-  void pass_run(const core::TileCover& cover, Cycle retire);
+  void pass_run(const fast::TileCover& cover, Cycle retire);
   void pass(Cycle retire);
-  void update(const core::TileCover& cover, int place, Cycle retire);
+  void update(const fast::TileCover& cover, int place, Cycle retire);
   uint32_t greatest_depth(int x, int y) const;  // stored in a stamp, the top bits
 
   // Other memories
@@ -148,7 +148,7 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   Cycle retired_ = -1;         // the last depth write accepted
   Cycle exit_ = -1;            // the last colour write accepted
 
-  std::optional<core::TileShader> shader_;
+  std::optional<fast::TileShader> shader_;
   Cycle pass_cycles_ = 0;  // C
   InFlight in_flight_;
 

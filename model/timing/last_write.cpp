@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "model/fast/setup.h"
+
 namespace pineda::timing {
 
-void LastWrite::begin_frame(const spec::FrameState& frame, core::TiledBuffer* buffer) {
+void LastWrite::begin_frame(const spec::FrameState& frame, fast::TiledBuffer* buffer) {
   frame_ = frame;
   buffer_ = buffer;
   const int log2 = contract_.design.tile_log2;
@@ -96,13 +98,13 @@ void LastWrite::test(Run* run) {
     triangle.v[i].z = corner.z;
   }
   spec::SetupPrim prim;
-  core::setup(contract_, frame, triangle, &prim, core::Planes::kDepth);
-  core::TileCoverWalk walk(contract_);
-  core::TileCover cover(contract_);
+  fast::setup(contract_, frame, triangle, &prim, fast::Planes::kDepth);
+  fast::TileCoverWalk walk(contract_);
+  fast::TileCover cover(contract_);
   walk.begin(prim);
   walk.next(&cover);
   walk.cover_stamps(&cover, nullptr);
-  core::TileShader shader(contract_, frame, core::TileShader::Values::kDepth);
+  fast::TileShader shader(contract_, frame, fast::TileShader::Values::kDepth);
   shader.begin(prim);
   shader.draw(cover, buffer_);
 

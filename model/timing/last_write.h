@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/core/tile_shader.h"
+#include "model/fast/tile_shader.h"
 #include "model/timing/cycles.h"
 
 namespace pineda::timing {
@@ -13,7 +13,7 @@ namespace pineda::timing {
 /// only noted here, and tested at the end, tile by tile from the last stamp backwards, until one is
 /// found that passes.
 ///
-/// Bits     core::TileShader.
+/// Bits     fast::TileShader.
 /// In       triangle(), then run() for its tiles; the first stamps that are not tested yet are when
 ///          there are too many to keep.
 /// Out      find(): the cycle in which the last stamp with a passing sample retires; -1 if none
@@ -23,7 +23,7 @@ class LastWrite {
   explicit LastWrite(const spec::Contract& contract) : contract_(contract) {}
 
   /// The buffer's depths are cleared where they are needed.
-  void begin_frame(const spec::FrameState& frame, core::TiledBuffer* buffer);
+  void begin_frame(const spec::FrameState& frame, fast::TiledBuffer* buffer);
   /// A triangle that setup sends.
   void triangle(const spec::Triangle& triangle);
   /// A tile of the last triangle, of whose stamps that of test 0 retires, or would, in `retire`,
@@ -59,7 +59,7 @@ class LastWrite {
 
   spec::Contract contract_;
   spec::FrameState frame_;
-  core::TiledBuffer* buffer_ = nullptr;
+  fast::TiledBuffer* buffer_ = nullptr;
   int tile_columns_ = 0;
   std::vector<std::array<Corner, 3>> triangles_;
   std::vector<Run> runs_;

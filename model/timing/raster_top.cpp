@@ -143,7 +143,7 @@ void RasterTop::begin_frame(const spec::FrameState& state, Listener* listener) {
 void RasterTop::clear_direct() {
   const spec::FrameState& state = frame_.state;
   if (state.width != direct_.width || state.height != direct_.height) {
-    direct_ = core::TiledBuffer(contract_, state);
+    direct_ = fast::TiledBuffer(contract_, state);
   } else {
     direct_.clear_depth = spec::cleared_depth(contract_.design, state);
     if (frame_.has_values) {
@@ -158,14 +158,14 @@ void RasterTop::clear_direct() {
 // Only what time depends on.
 void RasterTop::leave_out_bits() {
   if (!is_direct_) {
-    frame_.planes = core::Planes::kDepth;
+    frame_.planes = fast::Planes::kDepth;
     return;
   }
-  frame_.planes = core::Planes::kNone;
+  frame_.planes = fast::Planes::kNone;
   frame_.has_values = false;
   if (!core::tests_depth(contract_, frame_.state)) return;
   if (hierarchical_z_.is_active()) {
-    frame_.planes = core::Planes::kDepth;
+    frame_.planes = fast::Planes::kDepth;
     frame_.has_values = true;
     return;
   }

@@ -105,7 +105,7 @@ class RasterTop final : public sc_core::sc_module {
   LastWrite last_write_;
   bool bits_ = true;
   bool is_direct_ = false;    // the last frame was drawn into direct_, memory_ did not see it
-  core::TiledBuffer direct_;  // hits stay 0
+  fast::TiledBuffer direct_;  // hits stay 0
 };
 
 }  // namespace pineda::timing

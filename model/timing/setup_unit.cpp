@@ -20,7 +20,7 @@ void SetupUnit::begin_frame(Frame* frame) {
 }
 
 Cycle SetupUnit::take(const spec::Triangle& triangle, Cycle offered) {
-  const core::Drop drop = core::setup(contract_, frame_->state, triangle, &prim_, frame_->planes);
+  const core::Drop drop = fast::setup(contract_, frame_->state, triangle, &prim_, frame_->planes);
   ++frame_->counters.triangles;
   ++frame_->counters.dropped[static_cast<size_t>(drop)];
 

@@ -9,7 +9,7 @@ namespace pineda::timing {
 /// A tile that is neither rejected nor hidden, with its stamps.
 struct TileToken {
   const spec::SetupPrim* prim = nullptr;
-  const core::TileCover* cover = nullptr;
+  const fast::TileCover* cover = nullptr;
   spec::Stamp* stamp = nullptr;  // if Frame::tokens: what all stamps of the tile share
 };
 

@@ -35,7 +35,7 @@ void TraversalUnit::begin_frame(Frame* frame) {
   stamp_walker_.begin_frame(frame->listener);
   floors_.reset();
   if (frame->hierarchical_z != nullptr && frame->hierarchical_z->is_active()) {
-    floors_.emplace(contract_, frame->state, core::TileShader::Values::kDepth);
+    floors_.emplace(contract_, frame->state, fast::TileShader::Values::kDepth);
   }
 }
 
@@ -101,7 +101,7 @@ void TraversalUnit::send(const TileToken& tile) {
 // Coverage takes about as long as the memory.
 void TraversalUnit::prefetch() const {
   if (!frame_->has_values) return;
-  frame_->buffer->prefetch(cover_, frame_->planes == core::Planes::kAll);
+  frame_->buffer->prefetch(cover_, frame_->planes == fast::Planes::kAll);
 }
 
 bool TraversalUnit::is_hidden() {
@@ -117,7 +117,7 @@ void TraversalUnit::StampWalker::begin_frame(Listener* listener) {
 
 Cycle TraversalUnit::StampWalker::take(const TileToken& tile, Cycle visible) {
   const Cycle cycle = taken(visible, &time);
-  const core::TileSamples& covered = tile.cover->covered;
+  const fast::TileSamples& covered = tile.cover->covered;
   const int tests = tile.cover->box.tests();
   if (covered.count == 0) {
     time.work(tests, tile.prim->id);
@@ -131,7 +131,7 @@ Cycle TraversalUnit::StampWalker::take(const TileToken& tile, Cycle visible) {
 }
 
 void TraversalUnit::StampWalker::walk(const TileToken& tile) {
-  const core::TileCover& cover = *tile.cover;
+  const fast::TileCover& cover = *tile.cover;
   const spec::Design& d = unit_.contract_.design;
   const uint32_t id = tile.prim->id;
   int tested = 0;
@@ -143,7 +143,7 @@ void TraversalUnit::StampWalker::walk(const TileToken& tile) {
     tested = test + 1;
     if (tile.stamp != nullptr) {
       const int columns_log2 = cover.box.columns_log2;
-      tile.stamp->mask = core::lanes_of(d, cover.covered, place);
+      tile.stamp->mask = fast::lanes_of(d, cover.covered, place);
       tile.stamp->x = (cover.x << columns_log2) + (place & ((1 << columns_log2) - 1));
       tile.stamp->y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2);
     }

@@ -113,7 +113,7 @@ TEST(AccuracyHuge, WorstTrianglesKnownComeNearTheBoundAndKeepIt) {
     const exact::Judge exact = judge(kHugeFrame, c.t);
     ASSERT_TRUE(exact.covers(c.x, c.y));
     double error = 0;
-    for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+    core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
       if (stamp.x != c.x / 2 || stamp.y != c.y / 2) return;
       spec::Fragment fragment;
       core::interpolate(kContract, stamp, &fragment);
@@ -153,7 +153,7 @@ Codes codes_on_plane(std::array<Point, 3> corners, int64_t gx, int64_t gy) {
   Codes codes;
   spec::SetupPrim prim;
   if (core::setup(kContract, kFrame, t, &prim) != core::Drop::kNone) return codes;
-  for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+  core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
     spec::Fragment fragment;
     core::interpolate(kContract, stamp, &fragment);
     for_each_sample(stamp, [&](int x, int y, size_t lane) { codes[{x, y}] = fragment.z[lane]; });
@@ -215,7 +215,7 @@ TEST(AccuracyMutant, CoarseGradientsBreakTheBound) {
     if (core::setup(kContract, kWindow, t, &prim) != core::Drop::kNone) continue;
     prim.planes.z.dx &= ~int64_t{0xFFF};  // 6 fraction bits, truncated
     const exact::Judge exact = judge(kWindow, t);
-    for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+    core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
       spec::Fragment fragment;
       core::interpolate(kContract, stamp, &fragment);
       for_each_sample(stamp, [&](int x, int y, size_t lane) {

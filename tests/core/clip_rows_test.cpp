@@ -9,7 +9,7 @@ namespace {
 
 std::vector<spec::Stamp> stamps_of(const spec::SetupPrim& prim) {
   std::vector<spec::Stamp> stamps;
-  for_each_stamp(prim, [&](const spec::Tile&, const spec::Stamp& s) { stamps.push_back(s); });
+  core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) { stamps.push_back(stamp); });
   return stamps;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/spec/reciprocal_rom.h"
+#include "model/core/reciprocal.h"
 #include "tests/core/support.h"
 
 namespace pineda::test {

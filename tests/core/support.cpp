@@ -24,7 +24,7 @@ std::string coverage_difference(const spec::SetupPrim& prim, const exact::Judge&
   std::vector<char> hit(static_cast<size_t>(width) * static_cast<size_t>(prim.y1 - prim.y0 + 1));
   std::string difference;
   int64_t samples = 0;
-  for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+  core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
     for_each_sample(stamp, [&](int x, int y, size_t) {
       ++samples;
       if (x < prim.x0 || x > prim.x1 || y < prim.y0 || y > prim.y1) {
@@ -65,7 +65,7 @@ void measure(const spec::FrameState& frame, const spec::Triangle& t, Errors* err
   if (core::setup(kContract, frame, t, &prim) != core::Drop::kNone) return;
   const exact::Judge exact = judge(frame, t);
   int turn = 0;
-  for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+  core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
     if (turn++ % stride != 0) return;
     spec::Fragment fragment;
     core::interpolate(kContract, stamp, &fragment);
@@ -115,7 +115,7 @@ void HitMap::draw(const spec::Triangle& t, Rule rule) {
     prim.x1 = std::min(prim.x1 + 1, frame_.width - 1);
     prim.y1 = std::min(prim.y1 + 1, frame_.height - 1);
   }
-  for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+  core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
     for_each_sample(stamp, [&](int x, int y, size_t) {
       ++hits_[static_cast<size_t>(y) * static_cast<size_t>(frame_.width) + static_cast<size_t>(x)];
     });

@@ -31,6 +31,7 @@ struct OrderSink {
       outside += x < 0 || y < 0 || x >= frame.width || y >= frame.height ? 1 : 0;
     });
   }
+  void fragment(const spec::Stamp&, const spec::Fragment&) {}
   void depth(const spec::DepthWrite&) {}
   void color(const spec::ColorWrite&) {}
 };

@@ -122,6 +122,7 @@ Record core_record(const Scene& scene, core::FrameCounters* counters, core::Fram
     Record record;
     void prim(const spec::SetupPrim& t) { record.prims.push_back({0, t}); }
     void stamp(const spec::Stamp& t) { record.stamps.push_back({0, t}); }
+    void fragment(const spec::Stamp&, const spec::Fragment&) {}
     void depth(const spec::DepthWrite& t) { record.depths.push_back({0, t}); }
     void color(const spec::ColorWrite& t) { record.colors.push_back({0, t}); }
   } sink;

@@ -1,10 +1,10 @@
-#include "model/core/tile_cover.h"
+#include "model/fast/tile_cover.h"
 
 #include <algorithm>
 
-#include "model/core/lanes.h"
+#include "model/fast/lanes.h"
 
-namespace pineda::core {
+namespace pineda::fast {
 
 using spec::ceil_log2;
 using spec::Design;
@@ -207,17 +207,22 @@ PINEDA_INLINE void with_shape(const Design& d, Work&& work) {
   work(shape);
 }
 
-PINEDA_CLONES void cover_narrow(const Design& d, const spec::SetupPrim& prim, const EdgeValues& e,
-                                TileCover* cover, StampsBySamples* by_samples) {
+PINEDA_KERNEL(void, cover_narrow,
+              (const Design& d, const spec::SetupPrim& prim, const EdgeValues& e, TileCover* cover,
+               StampsBySamples* by_samples),
+              (d, prim, e, cover, by_samples)) {
   with_shape(d, [&](const Shape& shape) PINEDA_INLINED {
     cover_blocks<Int32x16, int32_t>(shape, prim, e, cover, by_samples);
   });
 }
-PINEDA_CLONES void cover_wide(const Design& d, const spec::SetupPrim& prim, const EdgeValues& e,
-                              TileCover* cover, StampsBySamples* by_samples) {
+PINEDA_KERNEL(void, cover_wide,
+              (const Design& d, const spec::SetupPrim& prim, const EdgeValues& e, TileCover* cover,
+               StampsBySamples* by_samples),
+              (d, prim, e, cover, by_samples)) {
   cover_blocks<Int64x16, int64_t>(shape_of(d), prim, e, cover, by_samples);
 }
-PINEDA_CLONES void find_in_tile(const Design& d, const TileCover& box, TileSamples* samples) {
+PINEDA_KERNEL(void, find_in_tile, (const Design& d, const TileCover& box, TileSamples* samples),
+              (d, box, samples)) {
   with_shape(d, [&](const Shape& shape) PINEDA_INLINED { find_in_blocks(shape, box, samples); });
 }
 
@@ -324,12 +329,12 @@ PINEDA_INLINE bool TileCoverWalk::is_rejected() const {
   return ((e0.at + e0.best) | (e1.at + e1.best) | (e2.at + e2.best)) < 0;
 }
 
-TileWalk::Test TileCoverWalk::next(TileCover* cover) {
-  if (y_ > last_y_) return TileWalk::Test::kEnd;
+core::TileWalk::Test TileCoverWalk::next(TileCover* cover) {
+  if (y_ > last_y_) return core::TileWalk::Test::kEnd;
   const bool rejected = is_rejected();
   if (!rejected) keep(cover);
   step();
-  return rejected ? TileWalk::Test::kRejected : TileWalk::Test::kKept;
+  return rejected ? core::TileWalk::Test::kRejected : core::TileWalk::Test::kKept;
 }
 
 bool TileCoverWalk::next_kept(TileCover* cover, int* rejected) {
@@ -387,4 +392,4 @@ void TileCoverWalk::cover_stamps(TileCover* cover, StampsBySamples* by_samples) 
   }
 }
 
-}  // namespace pineda::core
+}  // namespace pineda::fast

@@ -1,9 +1,9 @@
-#include "model/core/tiled_buffer.h"
+#include "model/fast/tiled_buffer.h"
 
 #include <algorithm>
 #include <cstddef>
 
-namespace pineda::core {
+namespace pineda::fast {
 
 Tiled::Tiled(const spec::Design& d, const spec::FrameState& frame)
     : width(frame.width),
@@ -13,6 +13,45 @@ Tiled::Tiled(const spec::Design& d, const spec::FrameState& frame)
       tile_rows(((frame.height - 1) >> d.tile_log2) + 1),
       tile_blocks_across(static_cast<size_t>(blocks_across(d))),
       tile_samples(tile_blocks_across * tile_blocks_across * kBlockSamples) {}
+
+TiledBuffer::TiledBuffer(const spec::Contract& c, const spec::FrameState& frame)
+    : Tiled(c.design, frame),
+      channels(spec::channels(c.design)),
+      clear_depth(spec::cleared_depth(c.design, frame)) {
+  clear();
+}
+
+void TiledBuffer::clear() {
+  depth.assign(samples(), clear_depth);
+  color.assign(samples() * static_cast<size_t>(channels), 0);
+  hits.assign(samples(), 0);
+}
+
+spec::DepthData TiledBuffer::read(const spec::Contract& c, int x, int y, uint32_t mask) const {
+  spec::DepthData data;
+  for_each_lane(c, x, y, mask, [&](size_t lane, size_t sample) { data.z[lane] = depth[sample]; });
+  return data;
+}
+
+void TiledBuffer::write(const spec::Contract& c, const spec::DepthWrite& w) {
+  for_each_lane(c, w.x, w.y, w.mask,
+                [&](size_t lane, size_t sample) { depth[sample] = w.z[lane]; });
+}
+
+void TiledBuffer::write(const spec::Contract& c, const spec::ColorWrite& w) {
+  const auto n = static_cast<size_t>(channels);
+  for_each_lane(c, w.x, w.y, w.mask, [&](size_t lane, size_t sample) {
+    const auto to = color.begin() + static_cast<std::ptrdiff_t>(sample * n);
+    const auto flat = std::copy_n(w.attr[lane].begin(), c.design.attributes, to);
+    std::copy_n(w.flat.begin(), c.design.flat_attributes, flat);
+  });
+}
+
+void TiledBuffer::count_hits(const spec::Contract& c, const spec::Stamp& stamp) {
+  for_each_lane(c, stamp.x, stamp.y, stamp.mask, [&](size_t, size_t sample) {
+    if (hits[sample] != UINT16_MAX) ++hits[sample];
+  });
+}
 
 // Whole blocks: to find out which rows are needed takes longer than to ask for them.
 void TiledBuffer::prefetch(const TileCover& cover, bool with_color) const {
@@ -31,7 +70,7 @@ void TiledBuffer::prefetch(const TileCover& cover, bool with_color) const {
   }
 }
 
-void TiledBuffer::copy_rows(int first, int last, FrameBuffer* to) const {
+void TiledBuffer::copy_rows(int first, int last, core::FrameBuffer* to) const {
   const auto n = static_cast<size_t>(channels);
   const int side = std::min(kBlockPx, 1 << tile_log2);
   const auto copy = [](const auto& from, size_t begin, size_t count, size_t at, auto* samples) {
@@ -50,14 +89,14 @@ void TiledBuffer::copy_rows(int first, int last, FrameBuffer* to) const {
   }
 }
 
-FrameBuffer TiledBuffer::by_rows(const spec::Contract& contract) const {
+core::FrameBuffer TiledBuffer::by_rows(const spec::Contract& contract) const {
   spec::FrameState frame;
   frame.width = width;
   frame.height = height;
-  FrameBuffer buffer(contract, frame);
+  core::FrameBuffer buffer(contract, frame);
   buffer.clear_depth = clear_depth;
   copy_rows(0, tile_rows - 1, &buffer);
   return buffer;
 }
 
-}  // namespace pineda::core
+}  // namespace pineda::fast

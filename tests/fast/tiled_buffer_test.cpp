@@ -1,5 +1,5 @@
 // The memories in blocks hold what those by rows hold.
-#include "model/core/tiled_buffer.h"
+#include "model/fast/tiled_buffer.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace pineda::test {
 namespace {
 
 using core::FrameBuffer;
-using core::TiledBuffer;
+using fast::TiledBuffer;
 
 spec::Contract contract_of(int tile_log2, int flat_attributes) {
   spec::Design d = spec::kHighTile;
@@ -80,7 +80,7 @@ TEST(TiledBuffer, HoldsWhatRowsHold) {
 TEST(TiledBuffer, RowsOfABlockAreSideBySideOnACacheLine) {
   for (int tile_log2 = 2; tile_log2 <= 6; ++tile_log2) {
     const TiledBuffer buffer(contract_of(tile_log2, 0), frame_of(70, 65));
-    const int side = std::min(1 << tile_log2, core::kBlockPx);
+    const int side = std::min(1 << tile_log2, fast::kBlockPx);
     std::set<size_t> seen;
     for (int y = 0; y < 65; ++y) {
       for (int x = 0; x < 70; ++x) {
@@ -91,10 +91,10 @@ TEST(TiledBuffer, RowsOfABlockAreSideBySideOnACacheLine) {
           EXPECT_EQ(sample, buffer.index(x - 1, y) + 1);
         }
         if (y % side != 0) {
-          EXPECT_EQ(sample, buffer.index(x, y - 1) + core::kBlockPx);
+          EXPECT_EQ(sample, buffer.index(x, y - 1) + fast::kBlockPx);
         }
         if (x % side != 0 || y % side != 0) continue;
-        EXPECT_EQ(sample % core::kBlockSamples, 0u);
+        EXPECT_EQ(sample % fast::kBlockSamples, 0u);
       }
     }
     EXPECT_EQ(reinterpret_cast<uintptr_t>(buffer.depth.data()) % 64, 0u);

@@ -1,20 +1,16 @@
 // Whole tiles at a time: the same bits and counts as stamp by stamp.
+#include "model/fast/renderer.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "model/core/frame.h"
-#include "tests/core/support.h"
+#include "tests/fast/levels.h"
 
-namespace pineda::test {
+namespace pineda::fast {
 namespace {
 
-struct Ignore {
-  void prim(const spec::SetupPrim&) {}
-  void stamp(const spec::Stamp&) {}
-  void depth(const spec::DepthWrite&) {}
-  void color(const spec::ColorWrite&) {}
-};
+using test::for_each_level;
 
 class Random {
  public:
@@ -81,10 +77,11 @@ std::string compare(const spec::Contract& c, const spec::Contract& of_tiles, uin
                     uint64_t* drawn) {
   Random random(seed);
   const spec::FrameState frame = random_frame(&random);
-  core::Renderer stamps(c, frame), tiles(of_tiles, frame);
+  core::Renderer stamps(c, frame);
+  fast::Renderer tiles(of_tiles, frame);
   for (int i = 0; i < 40; ++i) {
     const spec::Triangle t = random_triangle(c, frame, &random);
-    stamps.draw(t, Ignore{});
+    stamps.draw(t);
     tiles.draw(t);
   }
   const core::FrameCounters& a = stamps.counters();
@@ -95,9 +92,10 @@ std::string compare(const spec::Contract& c, const spec::Contract& of_tiles, uin
       a.interpolated != b.interpolated || a.passed != b.passed) {
     return "counters";
   }
-  if (stamps.buffer().hits != tiles.buffer().hits) return "hits";
-  if (stamps.buffer().depth != tiles.buffer().depth) return "depth";
-  if (stamps.buffer().color != tiles.buffer().color) return "colour";
+  const core::FrameBuffer drawn_by_tiles = tiles.buffer();
+  if (stamps.buffer().hits != drawn_by_tiles.hits) return "hits";
+  if (stamps.buffer().depth != drawn_by_tiles.depth) return "depth";
+  if (stamps.buffer().color != drawn_by_tiles.color) return "colour";
   return {};
 }
 
@@ -105,11 +103,13 @@ class WholeTiles : public testing::TestWithParam<std::string> {};
 
 TEST_P(WholeTiles, EqualStampByStamp) {
   const auto c = spec::contract(*spec::find_design(GetParam()));
-  uint64_t drawn = 0;
-  for (uint64_t seed = 0; seed < 60; ++seed) {
-    ASSERT_EQ(compare(c, c, seed, &drawn), "") << "seed " << seed;
-  }
-  EXPECT_GT(drawn, 10000u);
+  for_each_level([&] {
+    uint64_t drawn = 0;
+    for (uint64_t seed = 0; seed < 60; ++seed) {
+      ASSERT_EQ(compare(c, c, seed, &drawn), "") << "seed " << seed;
+    }
+    EXPECT_GT(drawn, 10000u);
+  });
 }
 
 std::vector<std::string> names() {
@@ -123,36 +123,38 @@ INSTANTIATE_TEST_SUITE_P(Designs, WholeTiles, testing::ValuesIn(names()),
 // Formats at the ends of their ranges: codes of 32 bits, planes that need 64-bit lanes, stamps and
 // tiles of every shape.
 TEST(WholeTiles, EqualStampByStampInRandomDesigns) {
-  Random random(5);
-  uint64_t drawn = 0;
-  int valid = 0;
-  for (int i = 0; i < 400 && valid < 120; ++i) {
-    spec::Design d;
-    d.subpixel_bits = static_cast<int>(random(4, 12));
-    d.guard_bits = static_cast<int>(random(7, 14));
-    d.depth_test = random(0, 9) != 0;
-    d.depth_bits = static_cast<int>(random(16, 32));
-    d.attributes = static_cast<int>(random(0, 6));
-    d.flat_attributes = static_cast<int>(random(0, 2));
-    d.attribute_bits = static_cast<int>(random(1, 16));
-    d.perspective = random(0, 4) == 0;
-    d.gradient_fraction_bits = static_cast<int>(random(8, 20));
-    d.tile_fraction_bits = static_cast<int>(random(1, d.gradient_fraction_bits));
-    d.tile_log2 = static_cast<int>(random(2, 6));
-    d.stamp_width_log2 = static_cast<int>(random(0, 2));
-    d.stamp_height_log2 = static_cast<int>(random(0, 2));
-    if (!spec::invalid_reason(d).empty()) continue;
-    ++valid;
-    const auto seed = static_cast<uint64_t>(i);
-    ASSERT_EQ(compare(spec::contract(d), spec::contract(d), seed, &drawn), "")
-        << "design " << i << ": " << d.subpixel_bits << " " << d.guard_bits << " depth "
-        << d.depth_test << " " << d.depth_bits << " attr " << d.attributes << " "
-        << d.flat_attributes << " " << d.attribute_bits << " persp " << d.perspective << " F "
-        << d.gradient_fraction_bits << " " << d.tile_fraction_bits << " tile " << d.tile_log2 << " "
-        << d.stamp_width_log2 << " " << d.stamp_height_log2;
-  }
-  EXPECT_EQ(valid, 120);
-  EXPECT_GT(drawn, 10000u);
+  for_each_level([] {
+    Random random(5);
+    uint64_t drawn = 0;
+    int valid = 0;
+    for (int i = 0; i < 400 && valid < 120; ++i) {
+      spec::Design d;
+      d.subpixel_bits = static_cast<int>(random(4, 12));
+      d.guard_bits = static_cast<int>(random(7, 14));
+      d.depth_test = random(0, 9) != 0;
+      d.depth_bits = static_cast<int>(random(16, 32));
+      d.attributes = static_cast<int>(random(0, 6));
+      d.flat_attributes = static_cast<int>(random(0, 2));
+      d.attribute_bits = static_cast<int>(random(1, 16));
+      d.perspective = random(0, 4) == 0;
+      d.gradient_fraction_bits = static_cast<int>(random(8, 20));
+      d.tile_fraction_bits = static_cast<int>(random(1, d.gradient_fraction_bits));
+      d.tile_log2 = static_cast<int>(random(2, 6));
+      d.stamp_width_log2 = static_cast<int>(random(0, 2));
+      d.stamp_height_log2 = static_cast<int>(random(0, 2));
+      if (!spec::invalid_reason(d).empty()) continue;
+      ++valid;
+      const auto seed = static_cast<uint64_t>(i);
+      ASSERT_EQ(compare(spec::contract(d), spec::contract(d), seed, &drawn), "")
+          << "design " << i << ": " << d.subpixel_bits << " " << d.guard_bits << " depth "
+          << d.depth_test << " " << d.depth_bits << " attr " << d.attributes << " "
+          << d.flat_attributes << " " << d.attribute_bits << " persp " << d.perspective << " F "
+          << d.gradient_fraction_bits << " " << d.tile_fraction_bits << " tile " << d.tile_log2
+          << " " << d.stamp_width_log2 << " " << d.stamp_height_log2;
+    }
+    EXPECT_EQ(valid, 120);
+    EXPECT_GT(drawn, 10000u);
+  });
 }
 
 // Tiles whose planes keep a fraction bit less than those of the stamps.
@@ -164,4 +166,4 @@ TEST(WholeTiles, MutantThatCutsAFractionBitIsSeen) {
 }
 
 }  // namespace
-}  // namespace pineda::test
+}  // namespace pineda::fast

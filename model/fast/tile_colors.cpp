@@ -1,8 +1,8 @@
 #include <cstddef>
 
-#include "model/core/tile_blocks.h"
+#include "model/fast/tile_blocks.h"
 
-namespace pineda::core {
+namespace pineda::fast {
 
 using spec::Design;
 using spec::Plane;
@@ -41,8 +41,10 @@ PINEDA_INLINE void for_each_row(uint64_t block, uint16_t* color, Visitor&& visit
   }
 }
 
-PINEDA_CLONES void write_constant(const TileColors& colors, const TileCover& cover,
-                                  const TileSamples& passed, TiledBuffer* buffer) {
+PINEDA_KERNEL(void, write_constant,
+              (const TileColors& colors, const TileCover& cover, const TileSamples& passed,
+               TiledBuffer* buffer),
+              (colors, cover, passed, buffer)) {
   uint64_t word = 0;
   for (size_t a = 0; a < 4; ++a) {
     word |= uint64_t{static_cast<uint16_t>(colors.flat[a])} << (16 * a);
@@ -102,8 +104,10 @@ struct FourPlanes {
   }
 };
 
-PINEDA_CLONES void write_four(const Design& d, const TileColors& colors, const TileCover& cover,
-                              const TileSamples& passed, TiledBuffer* buffer) {
+PINEDA_KERNEL(void, write_four,
+              (const Design& d, const TileColors& colors, const TileCover& cover,
+               const TileSamples& passed, TiledBuffer* buffer),
+              (d, colors, cover, passed, buffer)) {
   const FourPlanes planes(colors);
   const Coder<uint32_t> coder(colors.format);
   for_each_block(cover, *buffer, [&](int x, int y, size_t sample, size_t block) PINEDA_INLINED {
@@ -159,8 +163,10 @@ PINEDA_INLINE void write_row(const Design& d, const Coder<uint64_t>& coder, cons
   }
 }
 
-PINEDA_CLONES void write_any(const Design& d, const TileColors& colors, const TileCover& cover,
-                             const TileSamples& passed, TiledBuffer* buffer) {
+PINEDA_KERNEL(void, write_any,
+              (const Design& d, const TileColors& colors, const TileCover& cover,
+               const TileSamples& passed, TiledBuffer* buffer),
+              (d, colors, cover, passed, buffer)) {
   std::array<TilePlane, spec::kMaxAttributes> planes;
   for (size_t a = 0; a < static_cast<size_t>(d.attributes); ++a) {
     planes[a] = plane_in_tile(colors.planes[a], colors.format, colors.tile);
@@ -178,7 +184,7 @@ PINEDA_CLONES void write_any(const Design& d, const TileColors& colors, const Ti
   });
 }
 
-PINEDA_CLONES void count_blocks(const TileCover& cover, TiledBuffer* buffer) {
+PINEDA_KERNEL(void, count_blocks, (const TileCover& cover, TiledBuffer* buffer), (cover, buffer)) {
   for_each_block(cover, *buffer, [&](int, int, size_t sample, size_t block) PINEDA_INLINED {
     uint16_t* samples = buffer->hits.data() + sample;
     for (uint64_t rest = cover.covered.blocks[block]; rest != 0; rest >>= 16) {
@@ -208,4 +214,4 @@ void write_tile(const Design& d, const TileColors& colors, const TileCover& cove
 
 void count_tile(const TileCover& cover, TiledBuffer* buffer) { count_blocks(cover, buffer); }
 
-}  // namespace pineda::core
+}  // namespace pineda::fast

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "model/core/tile_blocks.h"
+#include "model/fast/tile_blocks.h"
 
-namespace pineda::core {
+namespace pineda::fast {
 
 namespace {
 
@@ -73,7 +73,7 @@ struct DepthRows {
 // The outcomes that pass, as all ones or zeros.
 struct Passes {
   uint32_t equal, less, greater;  // the latter where they differ from `equal`
-  explicit Passes(const PassesWhen& when)
+  explicit Passes(const core::PassesWhen& when)
       : equal(when.equal ? UINT32_MAX : 0),
         less(when.less != when.equal ? UINT32_MAX : 0),
         greater(when.greater != when.equal ? UINT32_MAX : 0) {}
@@ -149,18 +149,24 @@ PINEDA_INLINE Outcome test_blocks(const DepthTest& test, const CoderOf& coder,
   return outcome;
 }
 
-PINEDA_CLONES Outcome test_narrow(const DepthTest& test, const TileCover& cover,
-                                  TiledBuffer* buffer, TileSamples* samples) {
+PINEDA_KERNEL(Outcome, test_narrow,
+              (const DepthTest& test, const TileCover& cover, TiledBuffer* buffer,
+               TileSamples* samples),
+              (test, cover, buffer, samples)) {
   return test_blocks<DepthRows<uint32_t, Uint32x16>>(test, Coder<uint32_t>(test.format), cover,
                                                      buffer, samples);
 }
-PINEDA_CLONES Outcome test_wide(const DepthTest& test, const TileCover& cover, TiledBuffer* buffer,
-                                TileSamples* samples) {
+PINEDA_KERNEL(Outcome, test_wide,
+              (const DepthTest& test, const TileCover& cover, TiledBuffer* buffer,
+               TileSamples* samples),
+              (test, cover, buffer, samples)) {
   return test_blocks<DepthRows<uint64_t, Uint64x8>>(test, Coder<uint64_t>(test.format), cover,
                                                     buffer, samples);
 }
-PINEDA_CLONES Outcome test_biased(const DepthTest& test, const TileCover& cover,
-                                  TiledBuffer* buffer, TileSamples* samples) {
+PINEDA_KERNEL(Outcome, test_biased,
+              (const DepthTest& test, const TileCover& cover, TiledBuffer* buffer,
+               TileSamples* samples),
+              (test, cover, buffer, samples)) {
   return test_blocks<DepthRows<uint64_t, Uint64x8>>(test, BiasedCoder(test.format, test.bias),
                                                     cover, buffer, samples);
 }
@@ -184,4 +190,4 @@ Outcome test_tile(const DepthTest& test, const TileCover& cover, TiledBuffer* bu
   return test_narrow(test, cover, buffer, samples);
 }
 
-}  // namespace pineda::core
+}  // namespace pineda::fast

@@ -1,10 +1,10 @@
-#include "model/core/tile_shader.h"
+#include "model/fast/tile_shader.h"
 
 #include <algorithm>
 
-#include "model/core/tile_values.h"
+#include "model/fast/tile_values.h"
 
-namespace pineda::core {
+namespace pineda::fast {
 
 namespace {
 
@@ -17,11 +17,11 @@ Format format_of(const spec::Design& d, int plane_bits, int code_bits) {
 
 TileShader::TileShader(const spec::Contract& contract, const spec::FrameState& frame, Values values)
     : contract_(contract),
-      tests_depth_(tests_depth(contract, frame)),
+      tests_depth_(core::tests_depth(contract, frame)),
       has_colors_(values == Values::kAll && spec::channels(contract.design) > 0),
       depth_{
           format_of(contract.design, contract.width.depth_tile_plane, contract.design.depth_bits),
-          passes_when(frame.depth), frame.depth_write},
+          core::passes_when(frame.depth), frame.depth_write},
       colors_{format_of(contract.design, contract.width.attr_tile_plane,
                         contract.design.attribute_bits)},
       tested_(contract.design) {}
@@ -100,10 +100,9 @@ void TileShader::draw_perspective(const TileCover& cover, TiledBuffer* buffer) {
     const uint32_t passed = lanes_of(d, this->passed(), place);
     stamp_.x = (cover.x << columns_log2) + (place & ((1 << columns_log2) - 1));
     stamp_.y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2);
-    interpolate_attributes(contract_, stamp_, passed, &fragment_);
-    color_write(contract_, stamp_, fragment_, passed, &color_);
-    buffer->write(contract_, color_);
+    core::interpolate_attributes(contract_, stamp_, passed, &fragment_);
+    buffer->write(contract_, core::color_write(contract_, stamp_, fragment_, passed));
   });
 }
 
-}  // namespace pineda::core
+}  // namespace pineda::fast

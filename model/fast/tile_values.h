@@ -2,9 +2,9 @@
 #pragma once
 
 #include "model/core/interp.h"
-#include "model/core/tiled_buffer.h"
+#include "model/fast/tiled_buffer.h"
 
-namespace pineda::core {
+namespace pineda::fast {
 
 /// A plane in a tile, modulo 2^bits at the top of 64: sums wrap by themselves.
 struct TilePlane {
@@ -29,7 +29,7 @@ TilePlane plane_in_tile(const spec::Plane& plane, const Format& format, const Ti
 
 struct DepthTest {
   Format format;
-  PassesWhen when;
+  core::PassesWhen when;
   bool writes;
   TilePlane plane = {};
   int64_t bias = 0;  // units of 2^-16 codes
@@ -60,4 +60,4 @@ void write_tile(const spec::Design& design, const TileColors& colors, const Tile
 /// Counts the covered samples.
 void count_tile(const TileCover& cover, TiledBuffer* buffer);
 
-}  // namespace pineda::core
+}  // namespace pineda::fast

@@ -4,9 +4,9 @@
 #include <new>
 
 #include "model/core/frame_buffer.h"
-#include "model/core/tile_cover.h"
+#include "model/fast/tile_cover.h"
 
-namespace pineda::core {
+namespace pineda::fast {
 
 inline constexpr size_t kLineBytes = 64;  // of a cache
 
@@ -66,18 +66,43 @@ struct Tiled {
     const int in_tile = (1 << tile_log2) - 1;
     return tile_index(x >> tile_log2, y >> tile_log2) + index_in_tile(x & in_tile, y & in_tile);
   }
-  size_t row_step() const { return kBlockPx; }
 };
 
-struct TiledBuffer : SampleMemories<Tiled> {
-  using SampleMemories::SampleMemories;
+/// core::FrameBuffer's memories in that order.
+struct TiledBuffer : Tiled {
+  int channels = 0;
+  uint32_t clear_depth = 0;
+  Samples<uint32_t> depth;
+  Samples<uint16_t> color;
+  Samples<uint16_t> hits;
+
+  TiledBuffer() = default;
+  TiledBuffer(const spec::Contract& contract, const spec::FrameState& frame);
+  void clear();
+
+  /// As core::FrameBuffer's.
+  template <class Visitor>
+  void for_each_lane(const spec::Contract& contract, int x, int y, uint32_t mask,
+                     Visitor&& visit) const {
+    const spec::Design& d = contract.design;
+    const size_t first = index(x << d.stamp_width_log2, y << d.stamp_height_log2);
+    for (; mask != 0; mask &= mask - 1) {
+      const auto lane = static_cast<size_t>(__builtin_ctz(mask));
+      const size_t row = lane >> d.stamp_width_log2;
+      visit(lane, first + row * kBlockPx + lane - (row << d.stamp_width_log2));
+    }
+  }
+  spec::DepthData read(const spec::Contract& contract, int x, int y, uint32_t mask) const;
+  void write(const spec::Contract& contract, const spec::DepthWrite& write);
+  void write(const spec::Contract& contract, const spec::ColorWrite& write);
+  void count_hits(const spec::Contract& contract, const spec::Stamp& stamp);
 
   /// Asks the caches for the blocks in the box of `cover`, ahead of a draw.
   void prefetch(const TileCover& cover, bool with_color) const;
   /// Copies the samples of rows of tiles, first to last, as far as the frame goes, to a
   /// buffer of this frame.
-  void copy_rows(int first, int last, FrameBuffer* to) const;
-  FrameBuffer by_rows(const spec::Contract& contract) const;
+  void copy_rows(int first, int last, core::FrameBuffer* to) const;
+  core::FrameBuffer by_rows(const spec::Contract& contract) const;
 };
 
-}  // namespace pineda::core
+}  // namespace pineda::fast

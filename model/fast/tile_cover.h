@@ -1,11 +1,11 @@
-// Traversal by whole tiles: the fast path to what TileWalk and StampWalk define.
+// Traversal by whole tiles: what core::TileWalk and core::StampWalk define, quickly.
 #pragma once
 
 #include <vector>
 
 #include "model/core/traversal.h"
 
-namespace pineda::core {
+namespace pineda::fast {
 
 inline constexpr int kBlockPx = 8;  // side of the blocks of samples that are computed together
 
@@ -118,10 +118,10 @@ inline int count_lanes(uint32_t mask) {
 /// E' of the three edges at the first sample of a tile.
 using EdgeValues = std::array<int64_t, 3>;
 
-/// Walks the tiles of a triangle's box as TileWalk does, and finds the coverage of all stamps of a
-/// tile at once.
+/// Walks the tiles of a triangle's box as core::TileWalk does, and finds the coverage of all stamps
+/// of a tile at once.
 ///
-/// Bits     those of TileWalk and StampWalk.
+/// Bits     those of core::TileWalk and core::StampWalk.
 /// In       begin(): a SetupPrim, which must outlive the walk; its planes are not looked at.
 /// Out      next(): one tile test a call; *cover is written when the tile is kept, but for its
 ///          samples, which cover_stamps() then finds.
@@ -130,7 +130,7 @@ class TileCoverWalk {
   explicit TileCoverWalk(const spec::Contract& contract) : contract_(contract) {}
 
   void begin(const spec::SetupPrim& prim);
-  TileWalk::Test next(TileCover* cover);
+  core::TileWalk::Test next(TileCover* cover);
   /// As next() until a tile is kept, false if none is any more; *rejected: those before.
   bool next_kept(TileCover* cover, int* rejected);
   /// Of the tile that next() kept last; adds its stamps to *by_samples, if that is there.
@@ -155,4 +155,4 @@ class TileCoverWalk {
   EdgeValues kept_{};  // of the tile kept last; at most what makes the edge accept the tile
 };
 
-}  // namespace pineda::core
+}  // namespace pineda::fast

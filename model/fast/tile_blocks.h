@@ -1,10 +1,10 @@
 // What the loops over the blocks of a tile share; not for others.
 #pragma once
 
-#include "model/core/lanes.h"
-#include "model/core/tile_values.h"
+#include "model/fast/lanes.h"
+#include "model/fast/tile_values.h"
 
-namespace pineda::core {
+namespace pineda::fast {
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
 
@@ -48,4 +48,4 @@ PINEDA_INLINE void for_each_block(const TileCover& cover, const TiledBuffer& buf
   }
 }
 
-}  // namespace pineda::core
+}  // namespace pineda::fast

@@ -1,14 +1,14 @@
-// Depth test and values by whole tiles: the fast path behind Renderer and the cycle model.
+// Depth test and values by whole tiles, quickly.
 #pragma once
 
-#include "model/core/tile_values.h"
+#include "model/fast/tile_values.h"
 
-namespace pineda::core {
+namespace pineda::fast {
 
 /// Interpolates, tests and writes the covered samples of a tile.
 ///
-/// Bits     those of interpolate_depth(), depth_test() and interpolate_attributes(), stamp by
-///          stamp: the stamps of a tile share no sample.
+/// Bits     those of core::interpolate_depth(), core::depth_test() and
+///          core::interpolate_attributes(), stamp by stamp: the stamps of a tile share no sample.
 /// In       begin(): a SetupPrim with the planes that `values` wants, which must outlive its tiles.
 ///          draw(): its tiles.
 /// Out      the buffer; passed(): of the tile drawn last, while its cover is there, the samples
@@ -47,7 +47,6 @@ class TileShader {
   // Perspective
   spec::Stamp stamp_;
   spec::Fragment fragment_;
-  spec::ColorWrite color_;
 };
 
-}  // namespace pineda::core
+}  // namespace pineda::fast
