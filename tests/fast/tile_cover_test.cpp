@@ -115,6 +115,10 @@ TEST_P(TileCover, EqualsStampByStampForStampsOfEveryShape) {
           if (random.in(0, 2) == 0) continue;
           v.x = static_cast<int>(random.in(-1000, 140 * kPx));
           v.y = static_cast<int>(random.in(-1000, 140 * kPx));
+          // Half of them on centres and between: edges then pass through the corners of tiles.
+          if (n % 2 == 0) continue;
+          v.x = v.x / kHalfPx * kHalfPx;
+          v.y = v.y / kHalfPx * kHalfPx;
         }
         spec::SetupPrim prim;
         if (core::setup(c, frame, t, &prim) != core::Drop::kNone) continue;
@@ -130,6 +134,22 @@ TEST_P(TileCover, EqualsStampByStampForStampsOfEveryShape) {
   }
   EXPECT_GT(stamps, 20000);
   EXPECT_GT(full, 50);
+}
+
+// A left edge through the first column of samples of its tiles: 0 there, and accepted.
+TEST_P(TileCover, AnEdgeThroughCornerSamplesAcceptsTheTile) {
+  spec::Design d = spec::kHighTile;
+  d.tile_log2 = GetParam();
+  const spec::Contract c = spec::contract(d);
+  const int left = (kPx << d.tile_log2) + kHalfPx;
+  const int reach = 8 * (kPx << d.tile_log2);
+  const spec::FrameState frame{1024, 1024};
+  spec::SetupPrim prim;
+  ASSERT_EQ(core::setup(c, frame, triangle({left, 0}, {left + reach, 0}, {left, reach}), &prim),
+            core::Drop::kNone);
+  const Walk expected = core_walk(c, prim);
+  EXPECT_GE(expected.accepted.size(), 7u);  // those of that column alone
+  for_each_level([&] { EXPECT_TRUE(same(fast_walk(c, prim, false), expected)); });
 }
 INSTANTIATE_TEST_SUITE_P(Sides, TileCover, testing::Values(2, 3, 4, 5, 6));
 
