@@ -1,11 +1,12 @@
 // The reciprocal against 1/area2 in 128-bit integers.
+#include "model/core/reciprocal.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "model/spec/reciprocal_rom.h"
-#include "model/core/reciprocal.h"
 #include "tests/core/support.h"
 
 namespace pineda::test {
