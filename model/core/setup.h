@@ -24,7 +24,7 @@ const char* drop_name(Drop drop);
 /// In       a triangle with vertices inside the guard band; the frame's state.
 /// Out      *out when the result is kNone: canonical order (clockwise from the topmost, then
 ///          leftmost vertex), edges and planes at the first sample of the box's first tile. Flat
-///          shading gives vertex 0's attributes to all three. A design without a reciprocal has no
+///          shading gives the attributes of the scene's vertex 0 to all three. A design without a reciprocal has no
 ///          planes here: see exact_planes.h.
 /// Drops    says why; *out is then as it was.
 /// Errors   none: every intermediate fits by widths(), and what may wrap wraps by design.
