@@ -103,6 +103,8 @@ class Renderer {
   Renderer(const spec::Contract& contract, const spec::FrameState& frame)
       : contract_(contract), frame_(frame), buffer_(contract, frame) {}
 
+  const spec::Contract& contract() const { return contract_; }
+  const spec::FrameState& frame() const { return frame_; }
   /// The memories after the triangles so far.
   const FrameBuffer& buffer() const { return buffer_; }
   const FrameCounters& counters() const { return counters_; }

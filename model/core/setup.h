@@ -24,8 +24,8 @@ const char* drop_name(Drop drop);
 /// In       a triangle with vertices inside the guard band; the frame's state.
 /// Out      *out when the result is kNone: canonical order (clockwise from the topmost, then
 ///          leftmost vertex), edges and planes at the first sample of the box's first tile. Flat
-///          shading gives the attributes of the scene's vertex 0 to all three. A design without a reciprocal has no
-///          planes here: see exact_planes.h.
+///          shading gives the attributes of the scene's vertex 0 to all three. A design without a
+///          reciprocal has no planes here: see exact_planes.h.
 /// Drops    says why; *out is then as it was.
 /// Errors   none: every intermediate fits by widths(), and what may wrap wraps by design.
 /// Twin     rtl/setup/setup_unit.sv.

@@ -44,8 +44,7 @@ class TileWalk {
 /// Walks the stamps of a tile inside the box, row by row from the top, each from the left.
 ///
 /// Bits     the definition. A sample is covered when it is in the box and no edge is negative
-/// there;
-///          an edge that accepts the tile is not asked.
+///          there; an edge that accepts the tile is not asked.
 /// Out      next(): one stamp test a call; false when the tile is done. An empty stamp (*mask = 0)
 ///          is tested but not sent.
 /// Twin     rtl/traversal/stamp_walker.sv (one test a cycle).
