@@ -10,7 +10,7 @@ namespace {
 // on multiples of `lattice`. Every sample inside must be hit exactly once.
 void mesh(Draw& d, int64_t jitter, int64_t lattice) {
   constexpr int kCells = 2;
-  const int64_t spacing = d.rng().between(3, 4) * d.px() + d.half();
+  const int64_t spacing = d.random().between(3, 4) * d.px() + d.half();
   std::array<std::array<Point, kCells + 1>, kCells + 1> at;
   for (int j = 0; j <= kCells; ++j) {
     for (int i = 0; i <= kCells; ++i) {
@@ -23,7 +23,7 @@ void mesh(Draw& d, int64_t jitter, int64_t lattice) {
   for (size_t j = 0; j < kCells; ++j) {
     for (size_t i = 0; i < kCells; ++i) {
       const Point a = at[j][i], b = at[j][i + 1], c = at[j + 1][i + 1], e = at[j + 1][i];
-      if (d.rng().coin()) {
+      if (d.random().coin()) {
         d.add({a, b, c});
         d.add({a, c, e});
       } else {
@@ -55,7 +55,7 @@ void fan(Draw& d) {
   const Point apex = d.center(5, 5);
   std::array<Point, kRing.size()> ring;
   for (size_t i = 0; i < ring.size(); ++i) {
-    ring[i] = apex + d.rng().between(d.half() / 2, 2 * d.px()) * kRing[i];
+    ring[i] = apex + d.random().between(d.half() / 2, 2 * d.px()) * kRing[i];
   }
   // In every other scene the middle lies at most a subpixel off the sample.
   const Point middle = d.index() % 2 == 0 ? apex : d.point_near(apex, 1);
@@ -84,7 +84,8 @@ void slivers(Draw& d, int64_t reach) {
     } while (std::gcd(along.x, along.y) != 1);
     const Point w = unit_partner(along);
     const Point p = d.any_center(2, 9);
-    d.add({p + along, p - along + d.rng().between(-2, 2) * w, p + d.rng().between(-2, 2) * w});
+    d.add(
+        {p + along, p - along + d.random().between(-2, 2) * w, p + d.random().between(-2, 2) * w});
   }
 }
 void sliver(Draw& d) { slivers(d, 5 * d.px()); }
@@ -106,7 +107,7 @@ void zero_area(Draw& d) {
 void through_centers(Draw& d) {
   d.frame(9, 9);
   const auto lattice = [&] {
-    return Point{d.rng().between(0, 17) * d.half(), d.rng().between(0, 17) * d.half()};
+    return Point{d.random().between(0, 17) * d.half(), d.random().between(0, 17) * d.half()};
   };
   for (int i = 0; i < 4; ++i) d.add({lattice(), lattice(), lattice()});
 }
@@ -127,8 +128,8 @@ void box_on_center(Draw& d) {
   for (int i = 0; i < 3; ++i) {
     const Point low = d.any_center(0, 3);
     const Point high = d.any_center(4, 6);
-    const auto x = [&] { return d.rng().between(low.x, high.x); };
-    const auto y = [&] { return d.rng().between(low.y, high.y); };
+    const auto x = [&] { return d.random().between(low.x, high.x); };
+    const auto y = [&] { return d.random().between(low.y, high.y); };
     d.add({Point{low.x, y()}, Point{high.x, y()}, Point{x(), i == 0 ? low.y : high.y}});
   }
 }
@@ -161,7 +162,9 @@ void huge_window(Draw& d) {
 void huge_frame(Draw& d) {
   const int side = 1 << d.contract().design.guard_bits;
   d.frame(side, side);
-  const auto coordinate = [&] { return d.rng().coin() ? d.greatest() : d.rng().between(0, 99); };
+  const auto coordinate = [&] {
+    return d.random().coin() ? d.greatest() : d.random().between(0, 99);
+  };
   for (int i = 0; i < 3; ++i) {
     d.add({Point{coordinate(), coordinate()}, Point{coordinate(), coordinate()},
            d.point(-side, -side, side, side)});
@@ -198,7 +201,7 @@ void outside(Draw& d) {
       {{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
   for (const Point side : kSides) {
     const int64_t x = 4 + 5 * side.x, y = 3 + 4 * side.y;  // px, about the middle
-    const int64_t reach = d.rng().coin() ? 1 : 3;
+    const int64_t reach = d.random().coin() ? 1 : 3;
     const auto near = [&] { return d.point(x - reach, y - reach, x + reach, y + reach); };
     d.add({near(), near(), near()});
   }
@@ -210,7 +213,7 @@ void no_sample(Draw& d) {
   for (int i = 0; i < 4; ++i) {
     const Point c = d.any_center(1, 4);
     const auto between = [&] {
-      return c + Point{d.rng().between(1, d.px()), d.rng().between(-3, 3)};
+      return c + Point{d.random().between(1, d.px()), d.random().between(-3, 3)};
     };
     d.add({between(), between(), between()});
   }
@@ -221,8 +224,8 @@ void no_sample(Draw& d) {
 void tile_corner(Draw& d) {
   d.frame(20, 20);
   const auto corner = [&] {
-    const Point p{d.rng().between(0, 2) * d.tile(), d.rng().between(0, 2) * d.tile()};
-    const int64_t radius = d.rng().coin() ? 1 : d.half();
+    const Point p{d.random().between(0, 2) * d.tile(), d.random().between(0, 2) * d.tile()};
+    const int64_t radius = d.random().coin() ? 1 : d.half();
     return d.point_near(p, radius);
   };
   for (int i = 0; i < 2; ++i) d.add({corner(), corner(), corner()});
@@ -231,8 +234,10 @@ void tile_corner(Draw& d) {
 // Edges along tile borders, on them and half a pixel to either side.
 void tile_border(Draw& d) {
   d.frame(18, 18);
-  const auto border = [&](int64_t n) { return n * d.tile() + d.rng().between(-1, 1) * d.half(); };
-  const Point a{border(1), d.rng().between(0, 2 * d.tile())}, b{a.x, border(2)};
+  const auto border = [&](int64_t n) {
+    return n * d.tile() + d.random().between(-1, 1) * d.half();
+  };
+  const Point a{border(1), d.random().between(0, 2 * d.tile())}, b{a.x, border(2)};
   d.add({a, b, Point{border(2), border(1)}});
   d.add({a, b, Point{border(0), border(1)}});
 }
@@ -241,11 +246,11 @@ void tile_border(Draw& d) {
 void needle(Draw& d) {
   d.frame(24, 8);
   for (int i = 0; i < 3; ++i) {
-    const int64_t length = d.rng().between(100, 8000) * d.px();
-    const int64_t across = d.rng().between(-length, length);
-    const bool steep = d.rng().coin();
+    const int64_t length = d.random().between(100, 8000) * d.px();
+    const int64_t across = d.random().between(-length, length);
+    const bool steep = d.random().coin();
     const Point along = steep ? Point{across, length} : Point{length, across};
-    const int64_t width = d.rng().between(d.px() / 16, 2 * d.px());
+    const int64_t width = d.random().between(d.px() / 16, 2 * d.px());
     const Point q = d.point(2, 1, 22, 7);
     const Point start = q - Point{along.x / 8, along.y / 8};
     d.add({start, start + along, start + (steep ? Point{width, 0} : Point{0, width})});
@@ -257,7 +262,7 @@ void micro(Draw& d) {
   d.frame(8, 8);
   for (int i = 0; i < 12; ++i) {
     const Point p = d.point(1, 1, 7, 7);
-    const int64_t reach = d.rng().between(1, 20) * d.px() / 8;
+    const int64_t reach = d.random().between(1, 20) * d.px() / 8;
     d.add({d.point_near(p, reach), d.point_near(p, reach), d.point_near(p, reach)});
   }
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "vectors/generator/rng.h"
+#include "model/spec/random.h"
 #include "vectors/generator/scenes.h"
 
 namespace pineda::vectors {
@@ -26,9 +26,9 @@ inline Point operator*(int64_t k, Point p) { return {k * p.x, k * p.y}; }
 class Draw {
  public:
   Draw(const spec::Contract& contract, uint64_t seed, int index)
-      : contract_(contract), rng_(seed), index_(index) {}
+      : contract_(contract), random_(seed), index_(index) {}
 
-  Rng& rng() { return rng_; }
+  spec::Random& random() { return random_; }
   int index() const { return index_; }
   Scene& scene() { return scene_; }
   const spec::Contract& contract() const { return contract_; }
@@ -67,7 +67,7 @@ class Draw {
 
  private:
   spec::Contract contract_;
-  Rng rng_;
+  spec::Random random_;
   int index_;
   Scene scene_;
 };

@@ -5,16 +5,16 @@ namespace pineda::vectors {
 namespace {
 
 void random_state(Draw& d) {
-  d.scene().frame.depth = static_cast<spec::DepthFunc>(d.rng().between(0, 2));
+  d.scene().frame.depth = static_cast<spec::DepthFunc>(d.random().between(0, 2));
   // Half of the scenes cull nothing.
   d.scene().frame.cull =
-      d.rng().coin() ? spec::Cull::kNone : static_cast<spec::Cull>(d.rng().between(1, 2));
+      d.random().coin() ? spec::Cull::kNone : static_cast<spec::Cull>(d.random().between(1, 2));
 }
 
 // Triangles with sides up to 2*reach px about points of a small window.
 void in_window(Draw& d, int triangles, int64_t reach) {
-  const int width = static_cast<int>(d.rng().between(6, 11));
-  d.frame(width, static_cast<int>(d.rng().between(6, 11)));
+  const int width = d.random().between(6, 11);
+  d.frame(width, d.random().between(6, 11));
   random_state(d);
   for (int i = 0; i < triangles; ++i) {
     const Point p = d.point(0, 0, d.scene().frame.width, d.scene().frame.height);

@@ -20,7 +20,7 @@ std::vector<ScreenTriangle> grid(uint64_t seed, int spacing, int lattice) {
     if (i % columns == columns - 1) continue;
     const auto at = [&](int place) { return corners[static_cast<size_t>(place)]; };
     const Point a = at(i), b = at(i + 1), c = at(i + columns + 1), e = at(i + columns);
-    const bool falling = d.random().coin();
+    const bool falling = d.coin();
     d.add_shuffled(a, b, falling ? c : e);
     d.add_shuffled(falling ? a : b, c, e);
   }
@@ -45,7 +45,7 @@ std::vector<ScreenTriangle> t_junction() {
     const Point q = sample + along + Point{1, 0};
     const Point left = sample + d.in_box({-7 * kPx, -2 * kPx}, {-4 * kPx, 2 * kPx});
     const Point right = sample + d.in_box({4 * kPx, -2 * kPx}, {7 * kPx, 2 * kPx});
-    const bool split_right = d.random().coin();
+    const bool split_right = d.coin();
     const ScreenVertex far = d.vertex(split_right ? right : left);
     ScreenVertex middle = d.vertex(sample);
     middle.x = static_cast<float>(p.x + q.x) / (2 * kPx);
@@ -65,11 +65,11 @@ std::vector<ScreenTriangle> fan() {
   for (int i = 0; i < 24; ++i) {
     const Point sample = cell(i, 6) + center(7, 7);
     const Point middle = i % 2 == 0 ? sample : d.near(sample, 1);
-    const int corners = d.random().coin() ? 8 : 4;
+    const int corners = d.coin() ? 8 : 4;
     std::vector<Point> ring;
     for (int k = 0; k < corners; ++k) {
       const Point direction = kDirections[static_cast<size_t>(k * (8 / corners) + i % 3) % 8];
-      ring.push_back(sample + d.random().in(2, 7 * kPx) * direction);
+      ring.push_back(sample + d.random().between(2, 7 * kPx) * direction);
     }
     for (size_t k = 0; k < ring.size(); ++k) {
       d.add_shuffled(middle, ring[k], ring[(k + 1) % ring.size()]);
@@ -102,9 +102,9 @@ std::vector<ScreenTriangle> sliver() {
     } while (std::gcd(along.x, along.y) != 1);
     const Point w = unit_partner(along);
     const Point p = d.center_in_box({2, 2}, {29, 29});
-    const int e2 = std::max(0, d.random().in(-3, 1));
-    const int sign = d.random().coin() ? 1 : -1;
-    const int area = sign * std::max(1, d.random().in(-2, 4));
+    const int e2 = std::max(0, d.random().between(-3, 1));
+    const int sign = d.coin() ? 1 : -1;
+    const int area = sign * std::max(1, d.random().between(-2, 4));
     d.add_shuffled(p + along, p - along + (2 * e2 + area) * w, p + e2 * w);
   }
   return d.triangles();
@@ -140,11 +140,11 @@ std::vector<ScreenTriangle> edges_through_centers() {
   Drawing d(7);
   for (int i = 0; i < 24; ++i) {
     const Point a = cell(i, 6) + d.center_in_box({0, 0}, {4, 4});
-    const int width = d.random().in(1, 10);
-    const int height = i % 3 == 0 ? width : d.random().in(1, 10);
+    const int width = d.random().between(1, 10);
+    const int height = i % 3 == 0 ? width : d.random().between(1, 10);
     const Point c = a + kPx * Point{width, height};
     const Point b{c.x, a.y}, e{a.x, c.y};
-    const bool falling = d.random().coin();
+    const bool falling = d.coin();
     d.add_shuffled(a, b, falling ? c : e);
     d.add_shuffled(falling ? a : b, c, e);
   }
@@ -157,10 +157,11 @@ std::vector<ScreenTriangle> box_on_centers() {
   Drawing d(8);
   for (int i = 0; i < 48; ++i) {
     const Point high = cell(i, 8) + d.center_in_box({8, 8}, {13, 13});
-    const Point low = i % 4 == 0 ? high - d.in_box({1, 1}, {kPx - 1, kPx - 1})
-                                 : high - kPx * Point{d.random().in(1, 8), d.random().in(1, 8)};
+    const Point low = i % 4 == 0
+                          ? high - d.in_box({1, 1}, {kPx - 1, kPx - 1})
+                          : high - kPx * Point{d.random().between(1, 8), d.random().between(1, 8)};
     const Point mid = d.in_box(low, high);
-    if (d.random().coin()) {
+    if (d.coin()) {
       d.add_shuffled({low.x, mid.y}, {high.x, low.y}, {mid.x, high.y});
     } else {
       d.add_shuffled(low, {mid.x, high.y}, {high.x, mid.y});
@@ -176,12 +177,12 @@ std::vector<ScreenTriangle> micro_triangles() {
     const double radius_px = std::sqrt(area_px2 / (.75 * std::sqrt(3.)));
     for (int i = 0; i < 400; ++i) {
       // A direction without trigonometry, whose last bits differ among libraries.
-      const double t = static_cast<double>(d.random().between(-1, 1));
+      const double t = static_cast<double>(d.random().uniform(-1, 1));
       const double c = radius_px * (1 - t * t) / (1 + t * t);
       const double s = radius_px * 2 * t / (1 + t * t);
       const double h = std::sqrt(.75);
-      const double x = static_cast<double>(d.random().between(4, 60));
-      const double y = static_cast<double>(d.random().between(4, 60));
+      const double x = static_cast<double>(d.random().uniform(4, 60));
+      const double y = static_cast<double>(d.random().uniform(4, 60));
       const auto corner = [&](double dx, double dy) {
         return Point{static_cast<int>(std::lround((x + dx) * kPx)),
                      static_cast<int>(std::lround((y + dy) * kPx))};

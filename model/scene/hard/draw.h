@@ -10,7 +10,7 @@
 
 #include "model/scene/hard/cases.h"
 #include "model/scene/mesh_reader.h"
-#include "model/scene/random.h"
+#include "model/spec/random.h"
 
 namespace pineda::scene::hard {
 
@@ -20,6 +20,8 @@ inline constexpr int kGuardPx = 16384;
 inline constexpr int kLeast = -kGuardPx * kPx;
 inline constexpr int kGreatest = kGuardPx * kPx - 1;
 inline constexpr int kCellPx = 16;  // cases of many small figures give each a cell of its own
+
+using spec::Random;
 
 struct Point {
   int x = 0;
@@ -38,11 +40,12 @@ class Drawing {
   explicit Drawing(uint64_t seed) : random_(seed) {}
 
   Random& random() { return random_; }
+  bool coin() { return random_.between(0, 1) == 1; }
   std::vector<ScreenTriangle>& triangles() { return triangles_; }
 
   /// A point of the box, its borders included.
   Point in_box(Point low, Point high) {
-    return {random_.in(low.x, high.x), random_.in(low.y, high.y)};
+    return {random_.between(low.x, high.x), random_.between(low.y, high.y)};
   }
   Point near(Point p, int reach) { return p + in_box({-reach, -reach}, {reach, reach}); }
 
@@ -57,7 +60,7 @@ class Drawing {
     ScreenVertex v;
     v.x = static_cast<float>(p.x) / kPx;
     v.y = static_cast<float>(p.y) / kPx;
-    v.z = random_.between(0, 1);
+    v.z = random_.uniform(0, 1);
     v.rgba = color();
     return v;
   }
@@ -74,8 +77,8 @@ class Drawing {
   void add(Point a, Point b, Point c) { add({vertex(a), vertex(b), vertex(c)}); }
   /// Adds it from any vertex on, either way round.
   void add_shuffled(std::array<ScreenVertex, 3> v) {
-    if (random_.coin()) std::swap(v[1], v[2]);
-    std::rotate(v.begin(), v.begin() + random_.in(0, 2), v.end());
+    if (coin()) std::swap(v[1], v[2]);
+    std::rotate(v.begin(), v.begin() + random_.between(0, 2), v.end());
     add(v);
   }
   void add_shuffled(Point a, Point b, Point c) { add_shuffled({vertex(a), vertex(b), vertex(c)}); }

@@ -37,7 +37,7 @@ std::vector<ScreenTriangle> guard_band_fan() {
   for (int i = 0; i < kTriangles; ++i) {
     constexpr int kOnASide = kTriangles / 4;
     const int along = std::min(
-        kLeast + i % kOnASide * (2 * kGuardPx / kOnASide) * kPx + d.random().in(0, 500 * kPx),
+        kLeast + i % kOnASide * (2 * kGuardPx / kOnASide) * kPx + d.random().between(0, 500 * kPx),
         kGreatest);
     const std::array<Point, 4> sides{
         {{along, kLeast}, {kGreatest, along}, {-1 - along, kGreatest}, {kLeast, -1 - along}}};
@@ -89,7 +89,7 @@ std::vector<ScreenTriangle> beyond_guard_band() {
       // -16384 itself is inside.
       const float value = component < 2 ? beyond : -beyond - .5f;
       (component % 2 == 0 ? v[0].x : v[0].y) = value;
-      (component % 2 == 0 ? v[0].y : v[0].x) = d.random().between(-20, 40);
+      (component % 2 == 0 ? v[0].y : v[0].x) = d.random().uniform(-20, 40);
       d.add_shuffled(v);
     }
   }
@@ -119,7 +119,7 @@ std::vector<ScreenTriangle> tile_corners() {
   Drawing d(16);
   const auto corner = [&] {
     const Point p = kTile * d.in_box({0, 0}, {5, 5});
-    const int offset = d.random().coin() ? 1 : kHalfPx;
+    const int offset = d.coin() ? 1 : kHalfPx;
     return p + offset * d.in_box({-1, -1}, {1, 1});
   };
   for (int i = 0; i < 32; ++i) {
@@ -128,10 +128,10 @@ std::vector<ScreenTriangle> tile_corners() {
     d.add_shuffled(a, b, corner());
   }
   for (int i = 0; i < 16; ++i) {
-    const int x = (1 + i % 4) * kTile + d.random().in(-1, 1) * kHalfPx;
+    const int x = (1 + i % 4) * kTile + d.random().between(-1, 1) * kHalfPx;
     const Point far = d.in_box({0, 0}, {5 * kTile, 5 * kTile});
-    const Point a{x, d.random().in(0, 2 * kTile)};
-    const Point b{x, d.random().in(3 * kTile, 5 * kTile)};
+    const Point a{x, d.random().between(0, 2 * kTile)};
+    const Point b{x, d.random().between(3 * kTile, 5 * kTile)};
     const auto turned = [&](Point p) { return i < 8 ? p : Point{p.y, p.x}; };
     d.add_shuffled(turned(a), turned(b), turned(far));
   }
@@ -158,8 +158,9 @@ std::vector<ScreenTriangle> format_extremes() {
       // ~x keeps the guard band: -1 - least is the greatest.
       const int quadrant = i >> (2 * k);
       const Point p{(quadrant & 1) != 0 ? x : ~x, (quadrant & 2) != 0 ? y : ~y};
-      const bool far = d.random().coin();
-      v[static_cast<size_t>(k)] = extreme(d.vertex(p), far, d.random().coin());
+      const bool far = d.coin();
+      const bool bright = d.coin();
+      v[static_cast<size_t>(k)] = extreme(d.vertex(p), far, bright);
     }
     d.add(v);
   }

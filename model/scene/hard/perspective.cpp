@@ -48,12 +48,12 @@ std::vector<ScreenTriangle> ratio() {
     const auto p = shape(d, i % 6);
     std::array<ScreenVertex, 3> v;
     for (size_t k = 0; k < 3; ++k) v[k] = d.vertex(p[k]);
-    const float scale = d.random().between(.01f, 100);
-    const int kind = d.random().in(0, 2);
+    const float scale = d.random().uniform(.01f, 100);
+    const int kind = d.random().between(0, 2);
     v[0].w = scale;
-    v[1].w = scale * (kind == 0   ? d.random().between(1, 2)
-                      : kind == 1 ? d.random().between(1, kRatio)
-                                  : d.random().between(.5f, 1) * kRatio);
+    v[1].w = scale * (kind == 0   ? d.random().uniform(1, 2)
+                      : kind == 1 ? d.random().uniform(1, kRatio)
+                                  : d.random().uniform(.5f, 1) * kRatio);
     v[2].w = scale * kRatio;
     if (i % 4 == 0) {
       v[0].rgba = {0, 255, 0, 255};
@@ -71,8 +71,8 @@ Mesh before_near_plane() {
   Random random(40);
   Mesh mesh;
   const auto add = [&](double distance, float reach) {
-    const double x = static_cast<double>(random.between(-reach, reach));
-    const double y = static_cast<double>(random.between(-reach, reach));
+    const double x = static_cast<double>(random.uniform(-reach, reach));
+    const double y = static_cast<double>(random.uniform(-reach, reach));
     mesh.position.push_back({x * distance, y * distance, -distance});
     mesh.normal.push_back({0, 0, 1});
     const uint64_t bits = random.bits();
@@ -80,9 +80,9 @@ Mesh before_near_plane() {
                           static_cast<uint8_t>(bits >> 16), 255});
   };
   for (uint32_t i = 0; i < 24; ++i) {
-    add(.1 * (1 + .001 * static_cast<double>(random.between(0, 1))), 4);
-    add(static_cast<double>(random.between(1, 100)), .6f);
-    add(static_cast<double>(random.between(1, 100)), .6f);
+    add(.1 * (1 + .001 * static_cast<double>(random.uniform(0, 1))), 4);
+    add(static_cast<double>(random.uniform(1, 100)), .6f);
+    add(static_cast<double>(random.uniform(1, 100)), .6f);
     mesh.triangle.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
   return mesh;
