@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
+
+#include "model/figures/coverage.h"
 
 namespace pineda::studies {
 
@@ -137,15 +138,8 @@ Lattice unit_lattice(Random& random, int reach) {
     a = random.between(-reach, reach);
     b = random.between(-reach, reach);
   }
-  // Extended Euclid: s*a + t*b = 1, so that cross((a, b), (-t, s)) = a*s + b*t = 1.
-  int64_t r0 = a, r1 = b, s0 = 1, s1 = 0, t0 = 0, t1 = 1;
-  while (r1 != 0) {
-    const int64_t q = r0 / r1;
-    r0 = std::exchange(r1, r0 - q * r1);
-    s0 = std::exchange(s1, s0 - q * s1);
-    t0 = std::exchange(t1, t0 - q * t1);
-  }
-  return {{a, b}, {static_cast<int>(-t0 * r0), static_cast<int>(s0 * r0)}};
+  const figures::Point w = figures::unit_partner({a, b});
+  return {{a, b}, {static_cast<int>(w.x), static_cast<int>(w.y)}};
 }
 
 }  // namespace pineda::studies

@@ -18,8 +18,7 @@ void in_window(Draw& d, int triangles, int64_t reach) {
   random_state(d);
   for (int i = 0; i < triangles; ++i) {
     const Point p = d.point(0, 0, d.scene().frame.width, d.scene().frame.height);
-    const int64_t radius = reach * d.px();
-    d.add({d.point_near(p, radius), d.point_near(p, radius), d.point_near(p, radius)});
+    d.add(figures::around(d, p, reach * d.px()));
   }
 }
 void random_1px(Draw& d) { in_window(d, 10, 1); }
@@ -36,7 +35,7 @@ void random_anywhere(Draw& d) {
   random_state(d);
   for (int i = 0; i < 4; ++i) {
     const Point p = d.point(0, 0, side, side);
-    d.add({d.point_near(p, 3 * d.px()), d.point_near(p, 3 * d.px()), d.point_near(p, 3 * d.px())});
+    d.add(figures::around(d, p, 3 * d.px()));
   }
 }
 
@@ -48,7 +47,7 @@ void random_strip(Draw& d) {
   random_state(d);
   for (int i = 0; i < 5; ++i) {
     const Point p = d.point(0, 0, d.scene().frame.width, d.scene().frame.height);
-    d.add({d.point_near(p, 3 * d.px()), d.point_near(p, 3 * d.px()), d.point_near(p, 3 * d.px())});
+    d.add(figures::around(d, p, 3 * d.px()));
   }
 }
 

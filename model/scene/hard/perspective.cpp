@@ -7,16 +7,12 @@ namespace {
 constexpr spec::FrameState kFrame = frame(64, 48);
 
 // As large as the frame, a needle, around the whole frame, a few pixels, a sliver through a sample.
-std::array<Point, 3> shape(Drawing& d, int kind) {
-  const auto anywhere = [&] { return d.in_box({0, 0}, {64 * kPx, 48 * kPx}); };
+Corners shape(Drawing& d, int kind) {
   const Point sample = d.center_in_box({8, 8}, {55, 39});
   switch (kind) {
     case 0:
-    case 1: {
-      const Point a = anywhere();
-      const Point b = anywhere();
-      return {a, b, anywhere()};
-    }
+    case 1:
+      return figures::within(d, {0, 0}, {64 * kPx, 48 * kPx});
     case 2: {
       const Point along = d.near({0, 0}, 800 * kPx);
       return {sample - along, sample + along, sample + along + d.near({0, 0}, kPx)};
@@ -26,11 +22,8 @@ std::array<Point, 3> shape(Drawing& d, int kind) {
       const Point b = d.in_box({400 * kPx, -900 * kPx}, {900 * kPx, -100 * kPx});
       return {a, b, d.in_box({-300 * kPx, 300 * kPx}, {300 * kPx, 900 * kPx})};
     }
-    case 4: {
-      const Point a = d.near(sample, 3 * kPx);
-      const Point b = d.near(sample, 3 * kPx);
-      return {a, b, d.near(sample, 3 * kPx)};
-    }
+    case 4:
+      return figures::around(d, sample, 3 * kPx);
     default: {
       const Point along = d.near({0, 0}, 40 * kPx);
       return {sample + along, sample - along + Point{2, 0}, sample - along - Point{2, 0}};
@@ -68,7 +61,7 @@ std::vector<ScreenTriangle> ratio() {
 // Triangles with one vertex just before the near plane, beside the frame, and two far away: its w
 // is 10 to 1000 times smaller than theirs. Nothing is cut.
 Mesh before_near_plane() {
-  Random random(40);
+  spec::Random random(40);
   Mesh mesh;
   const auto add = [&](double distance, float reach) {
     const double x = static_cast<double>(random.uniform(-reach, reach));

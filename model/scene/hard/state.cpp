@@ -27,7 +27,7 @@ std::vector<ScreenTriangle> few_depths() {
     const Point a = d.in_box({0, 0}, {32 * kPx, 32 * kPx});
     const Point b = d.near(a, 16 * kPx);
     const Point c = d.near(a, 16 * kPx);
-    d.add_flat(a, b, c, static_cast<float>(d.random().between(1, 4)) / 4);
+    d.add_flat({a, b, c}, static_cast<float>(d.random().between(1, 4)) / 4);
   }
   return d.triangles();
 }
@@ -45,7 +45,7 @@ std::vector<ScreenTriangle> few_depths_from_0() {
     const Point a = d.in_box({0, 0}, {32 * kPx, 32 * kPx});
     const Point b = d.near(a, 16 * kPx);
     const Point c = d.near(a, 16 * kPx);
-    d.add_flat(a, b, c, static_cast<float>(d.random().between(0, 4)) / 4);
+    d.add_flat({a, b, c}, static_cast<float>(d.random().between(0, 4)) / 4);
   }
   return d.triangles();
 }
