@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "model/memory/port.h"
+#include "model/spec/random.h"
 
 namespace pineda::memory {
 
@@ -57,12 +58,9 @@ class Stalls {
   }
 
  private:
-  // splitmix64's finalizer over seed, port and time.
+  // Random numbers that can be read in any order, of the port and the time.
   uint64_t hash(Port port, uint64_t time) const {
-    uint64_t x = seed_ + 0x9e3779b97f4a7c15u * (time + (static_cast<uint64_t>(port) << 56));
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
+    return spec::SplitMix64::at(seed_, time + (static_cast<uint64_t>(port) << 56));
   }
 
   StallMode mode_ = StallMode::kNone;

@@ -73,7 +73,7 @@ TEST(AccuracyHuge, WithinTheBoundFarFromTheAnchor) {
   Random random(92);
   Errors errors;
   for (int n = 0; n < 4; ++n) {
-    const auto near = [&](int corner) { return corner + random.coordinate(-300 * kPx, 300 * kPx); };
+    const auto near = [&](int corner) { return corner + random.between(-300 * kPx, 300 * kPx); };
     spec::Triangle t =
         triangle({std::max(near(kGuardLow), kGuardLow), std::max(near(kGuardLow), kGuardLow)},
                  {std::min(near(kGuardHigh), kGuardHigh), near(0)},
@@ -131,7 +131,7 @@ TEST(AccuracyConstant, PlaneOfOneValueIsThatValueEverywhere) {
   Errors errors;
   for (int n = 0; n < 500; ++n) {
     spec::Triangle t = random_triangle(random, n % 2 == 0 ? Shape::kGuardBand : Shape::kNeedle);
-    const bool top = random.in(0, 1) != 0;
+    const bool top = random.between(0, 1) != 0;
     for (auto& v : t.v) {
       v.z = top ? kMaxDepthInput : 0;
       v.attr = {top ? 255 : 0, 0, 255, static_cast<int32_t>(n % 256)};
@@ -167,13 +167,12 @@ std::pair<int, int> compare_coplanar(bool whole_codes_at_centres) {
   int compared = 0;
   int different = 0;
   for (int n = 0; n < 40; ++n) {
-    int64_t gx = random.in(-20000, 20000);
-    int64_t gy = random.in(-20000, 20000);
+    int64_t gx = random.between(-20000, 20000);
+    int64_t gy = random.between(-20000, 20000);
     gx -= whole_codes_at_centres ? gx % 2 : 0;
     gy += (gx + gy + (whole_codes_at_centres ? 0 : 1)) % 2;  // odd sum: halves at the centres
     const auto near_middle = [&random] {
-      return Point{random.coordinate(100 * kPx, 200 * kPx),
-                   random.coordinate(100 * kPx, 200 * kPx)};
+      return Point{random.between(100 * kPx, 200 * kPx), random.between(100 * kPx, 200 * kPx)};
     };
     const Point shared = near_middle();
     const Codes outer = codes_on_plane({{{0, 0}, {299 * kPx + 7, 3}, shared}}, gx, gy);

@@ -10,20 +10,21 @@ namespace {
 // A number of `bits` bits: an extreme, near one, or any.
 int64_t value_of(Random& random, int bits) {
   const int64_t greatest = (int64_t{1} << bits) - 1;
-  const int64_t kind = random.in(0, 5);
-  return kind < 2 ? 0 : kind < 4 ? greatest : random.in(0, greatest);
+  const int64_t kind = random.between(0, 5);
+  return kind < 2 ? 0 : kind < 4 ? greatest : random.between(0, greatest);
 }
 
 // A vertex at a border of the guard band, anywhere in it, or near a sample.
 void place(Random& random, const spec::Design& d, const std::array<int, 2>& sample,
            spec::Vertex* v) {
   const int low = -(1 << (d.guard_bits + d.subpixel_bits));
-  const int64_t kind = random.in(0, 7);
+  const int64_t kind = random.between(0, 7);
   const auto coordinate = [&](int near) {
-    if (kind == 0) return random.in(0, 1) == 0 ? low : -low - 1;
-    if (kind == 1) return random.coordinate(low, -low - 1);
+    if (kind == 0) return random.between(0, 1) == 0 ? low : -low - 1;
+    if (kind == 1) return random.between(low, -low - 1);
     const int reach = kind < 5 ? 2 : 3 << d.subpixel_bits;
-    return static_cast<int>(std::clamp<int64_t>(near + random.in(-reach, reach), low, -low - 1));
+    return static_cast<int>(
+        std::clamp<int64_t>(near + random.between(-reach, reach), low, -low - 1));
   };
   v->x = coordinate(sample[0]);
   v->y = coordinate(sample[1]);
@@ -35,31 +36,31 @@ spec::Triangle hard_triangle(Random& random, const spec::Design& d) {
   spec::Triangle t;
   std::array<int, 2> sample{};
   for (int& at : sample) {
-    const int px = random.coordinate(0, (1 << d.guard_bits) - 1);
+    const int px = random.between(0, (1 << d.guard_bits) - 1);
     at = (px << d.subpixel_bits) + (1 << (d.subpixel_bits - 1));
   }
   for (auto& v : t.v) {
     place(random, d, sample, &v);
     v.z = value_of(random, d.depth_bits + spec::kDepthInputFractionBits);
     for (int32_t& a : v.attr) a = static_cast<int32_t>(value_of(random, d.attribute_bits));
-    v.inverse_w = static_cast<int32_t>(random.in(1, 1 << 20));
-    v.inverse_w_shift = static_cast<int32_t>(random.in(0, 30));
+    v.inverse_w = static_cast<int32_t>(random.between(1, 1 << 20));
+    v.inverse_w_shift = static_cast<int32_t>(random.between(0, 30));
   }
-  if (random.in(0, 7) == 0) t.v[1].y = t.v[0].y;
-  if (random.in(0, 7) == 0) t.v[2].x = t.v[1].x;
+  if (random.between(0, 7) == 0) t.v[1].y = t.v[0].y;
+  if (random.between(0, 7) == 0) t.v[2].x = t.v[1].x;
   return t;
 }
 
 spec::FrameState hard_frame(Random& random, const spec::Design& d) {
   spec::FrameState frame;
   frame.width = frame.height = 1 << d.guard_bits;
-  frame.cull = static_cast<spec::Cull>(random.in(0, 2));
-  frame.shade = random.in(0, 3) == 0 ? spec::Shade::kFlat : spec::Shade::kSmooth;
-  if (random.in(0, 3) == 0) {
-    frame.scissor_x0 = random.coordinate(0, frame.width / 2);
-    frame.scissor_y0 = random.coordinate(0, frame.height / 2);
-    frame.scissor_x1 = random.coordinate(0, frame.width + 9);
-    frame.scissor_y1 = random.coordinate(0, frame.height + 9);
+  frame.cull = static_cast<spec::Cull>(random.between(0, 2));
+  frame.shade = random.between(0, 3) == 0 ? spec::Shade::kFlat : spec::Shade::kSmooth;
+  if (random.between(0, 3) == 0) {
+    frame.scissor_x0 = random.between(0, frame.width / 2);
+    frame.scissor_y0 = random.between(0, frame.height / 2);
+    frame.scissor_x1 = random.between(0, frame.width + 9);
+    frame.scissor_y1 = random.between(0, frame.height + 9);
   }
   return frame;
 }

@@ -98,8 +98,8 @@ Comparison compare_steep(int early_bits) {
     const auto shape = n % 3 == 0 ? Shape::kNeedle : n % 3 == 1 ? Shape::kSliver : Shape::k16Px;
     spec::Triangle t = random_triangle(random, shape);
     if (n % 6 == 2) {  // a few subpixels wide
-      t.v[2].x = t.v[1].x + random.coordinate(-9, 9);
-      t.v[2].y = t.v[1].y + random.coordinate(-9, 9);
+      t.v[2].x = t.v[1].x + random.between(-9, 9);
+      t.v[2].y = t.v[1].y + random.between(-9, 9);
     }
     randomize_values(random, &t);
     compare(frame_of(shape), t, early_bits, &result);
@@ -150,8 +150,8 @@ Comparison translate(int step_px) {
       v.y = v.y % (4096 * kPx) + 4096 * kPx;
     }
     randomize_values(random, &t);
-    const int dx = random.coordinate(-400, 400) * step_px;
-    const int dy = random.coordinate(-400, 400) * step_px;
+    const int dx = random.between(-400, 400) * step_px;
+    const int dy = random.between(-400, 400) * step_px;
     spec::Triangle moved = t;
     for (auto& v : moved.v) {
       v.x += dx * kPx;

@@ -125,10 +125,10 @@ TEST(Scissor, CutsAndChangesNothingElse) {
     spec::Triangle t = random_triangle(random, Shape::k256Px);
     randomize_values(random, &t);
     spec::FrameState cut = kWindow;
-    cut.scissor_x0 = random.coordinate(0, 60);
-    cut.scissor_y0 = random.coordinate(0, 40);
-    cut.scissor_x1 = random.coordinate(cut.scissor_x0, 80);  // beyond the frame at times
-    cut.scissor_y1 = random.coordinate(cut.scissor_y0, 60);
+    cut.scissor_x0 = random.between(0, 60);
+    cut.scissor_y0 = random.between(0, 40);
+    cut.scissor_x1 = random.between(cut.scissor_x0, 80);  // beyond the frame at times
+    cut.scissor_y1 = random.between(cut.scissor_y0, 60);
     core::Renderer whole(kContract, kWindow);
     core::Renderer part(kContract, cut);
     whole.draw(t);
@@ -248,7 +248,7 @@ TEST(DepthBias, IsTheSlopeTimesTheGreaterGradient) {
     spec::Triangle t = random_triangle(random, Shape::k256Px);
     randomize_values(random, &t);
     spec::FrameState frame = kWindow;
-    frame.bias_slope = random.coordinate(-512, 512);
+    frame.bias_slope = random.between(-512, 512);
     spec::SetupPrim prim;
     if (core::setup(kContract, frame, t, &prim) != core::Drop::kNone) continue;
     const auto d = [&](size_t i, size_t j) {

@@ -12,7 +12,7 @@ TEST(BandRenderer, EqualsCoreForEveryNumberOfThreads) {
   Random random(37);
   std::vector<spec::Triangle> triangles;
   for (int n = 0; n < 300; ++n) {
-    triangles.push_back(random_triangle(random, static_cast<Shape>(random.in(0, 4))));
+    triangles.push_back(random_triangle(random, static_cast<Shape>(random.between(0, 4))));
     randomize_values(random, &triangles.back());
   }
   core::Renderer whole(kContract, kWindow);

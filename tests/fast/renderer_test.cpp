@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "model/spec/random.h"
 #include "tests/fast/levels.h"
 
 namespace pineda::fast {
@@ -12,39 +13,27 @@ namespace {
 
 using test::for_each_level;
 
-class Random {
- public:
-  explicit Random(uint64_t seed) : state_(seed) {}
-  int64_t operator()(int64_t low, int64_t high) {
-    state_ += 0x9e3779b97f4a7c15u;
-    uint64_t x = (state_ ^ (state_ >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return low + static_cast<int64_t>((x ^ (x >> 31)) % static_cast<uint64_t>(high - low + 1));
-  }
-
- private:
-  uint64_t state_;
-};
+using spec::Random;
 
 spec::FrameState random_frame(Random* r) {
   spec::FrameState frame;
-  frame.width = static_cast<int>((*r)(1, 90));
-  frame.height = static_cast<int>((*r)(1, 70));
-  frame.cull = static_cast<spec::Cull>((*r)(0, 2));
-  frame.depth = static_cast<spec::DepthFunc>((*r)(0, 8));
-  frame.depth_write = (*r)(0, 3) != 0;
-  frame.shade = static_cast<spec::Shade>((*r)(0, 1));
-  if ((*r)(0, 2) == 0) {
-    frame.scissor_x0 = static_cast<int>((*r)(0, 30));
-    frame.scissor_y0 = static_cast<int>((*r)(0, 30));
-    frame.scissor_x1 = static_cast<int>((*r)(20, 90));
-    frame.scissor_y1 = static_cast<int>((*r)(20, 90));
+  frame.width = r->between(1, 90);
+  frame.height = r->between(1, 70);
+  frame.cull = static_cast<spec::Cull>(r->between(0, 2));
+  frame.depth = static_cast<spec::DepthFunc>(r->between(0, 8));
+  frame.depth_write = r->between(0, 3) != 0;
+  frame.shade = static_cast<spec::Shade>(r->between(0, 1));
+  if (r->between(0, 2) == 0) {
+    frame.scissor_x0 = r->between(0, 30);
+    frame.scissor_y0 = r->between(0, 30);
+    frame.scissor_x1 = r->between(20, 90);
+    frame.scissor_y1 = r->between(20, 90);
   }
-  if ((*r)(0, 2) == 0) {
-    frame.bias_constant = (*r)(-3000, 3000);
-    frame.bias_slope = static_cast<int32_t>((*r)(-2000, 2000));
+  if (r->between(0, 2) == 0) {
+    frame.bias_constant = r->between(-3000, 3000);
+    frame.bias_slope = static_cast<int32_t>(r->between(-2000, 2000));
   }
-  if ((*r)(0, 2) == 0) frame.clear_depth = static_cast<double>((*r)(0, 8)) / 8;
+  if (r->between(0, 2) == 0) frame.clear_depth = static_cast<double>(r->between(0, 8)) / 8;
   return frame;
 }
 
@@ -53,20 +42,20 @@ spec::Triangle random_triangle(const spec::Contract& c, const spec::FrameState& 
   const spec::Design& d = c.design;
   const int px = 1 << d.subpixel_bits;
   const int64_t limit = int64_t{1} << (d.guard_bits + d.subpixel_bits);
-  const int64_t reach = (*r)(0, 3) == 0 ? limit : (*r)(1, 40 * px);
-  const int64_t x = (*r)(0, frame.width * px);
-  const int64_t y = (*r)(0, frame.height * px);
+  const int64_t reach = r->between(0, 3) == 0 ? limit : r->between(1, 40 * px);
+  const int64_t x = r->between(0, frame.width * px);
+  const int64_t y = r->between(0, frame.height * px);
   spec::Triangle t;
   for (auto& v : t.v) {
-    const int64_t from_x = (*r)(-reach, reach);
-    const int64_t from_y = (*r)(-reach, reach);
+    const int64_t from_x = r->between(-reach, reach);
+    const int64_t from_y = r->between(-reach, reach);
     v.x = static_cast<int32_t>(std::clamp<int64_t>(x + from_x, -limit, limit - 1));
     v.y = static_cast<int32_t>(std::clamp<int64_t>(y + from_y, -limit, limit - 1));
-    v.z = (*r)(0, ((int64_t{1} << d.depth_bits) - 1) << 8);
-    for (auto& a : v.attr) a = static_cast<int32_t>((*r)(0, (1 << d.attribute_bits) - 1));
+    v.z = r->between(0, ((int64_t{1} << d.depth_bits) - 1) << 8);
+    for (auto& a : v.attr) a = static_cast<int32_t>(r->between(0, (1 << d.attribute_bits) - 1));
     v.inverse_w =
-        static_cast<int32_t>((*r)(1 << (d.inverse_w_bits - 1), (1 << d.inverse_w_bits) - 1));
-    v.inverse_w_shift = static_cast<int32_t>((*r)(0, 9));
+        static_cast<int32_t>(r->between(1 << (d.inverse_w_bits - 1), (1 << d.inverse_w_bits) - 1));
+    v.inverse_w_shift = static_cast<int32_t>(r->between(0, 9));
   }
   t.v[0].inverse_w_shift = 0;
   return t;
@@ -129,19 +118,19 @@ TEST(WholeTiles, EqualStampByStampInRandomDesigns) {
     int valid = 0;
     for (int i = 0; i < 400 && valid < 120; ++i) {
       spec::Design d;
-      d.subpixel_bits = static_cast<int>(random(4, 12));
-      d.guard_bits = static_cast<int>(random(7, 14));
-      d.depth_test = random(0, 9) != 0;
-      d.depth_bits = static_cast<int>(random(16, 32));
-      d.attributes = static_cast<int>(random(0, 6));
-      d.flat_attributes = static_cast<int>(random(0, 2));
-      d.attribute_bits = static_cast<int>(random(1, 16));
-      d.perspective = random(0, 4) == 0;
-      d.gradient_fraction_bits = static_cast<int>(random(8, 20));
-      d.tile_fraction_bits = static_cast<int>(random(1, d.gradient_fraction_bits));
-      d.tile_log2 = static_cast<int>(random(2, 6));
-      d.stamp_width_log2 = static_cast<int>(random(0, 2));
-      d.stamp_height_log2 = static_cast<int>(random(0, 2));
+      d.subpixel_bits = random.between(4, 12);
+      d.guard_bits = random.between(7, 14);
+      d.depth_test = random.between(0, 9) != 0;
+      d.depth_bits = random.between(16, 32);
+      d.attributes = random.between(0, 6);
+      d.flat_attributes = random.between(0, 2);
+      d.attribute_bits = random.between(1, 16);
+      d.perspective = random.between(0, 4) == 0;
+      d.gradient_fraction_bits = random.between(8, 20);
+      d.tile_fraction_bits = random.between(1, d.gradient_fraction_bits);
+      d.tile_log2 = random.between(2, 6);
+      d.stamp_width_log2 = random.between(0, 2);
+      d.stamp_height_log2 = random.between(0, 2);
       if (!spec::invalid_reason(d).empty()) continue;
       ++valid;
       const auto seed = static_cast<uint64_t>(i);

@@ -38,8 +38,8 @@ Outcome compare(const spec::Design& design, int triangles, bool with_bias) {
   for (int n = 0; n < triangles; ++n) {
     spec::FrameState frame = hard_frame(random, design);
     if (with_bias) {
-      frame.bias_constant = random.in(-5000, 5000);
-      frame.bias_slope = static_cast<int32_t>(random.in(-32768, 32767));
+      frame.bias_constant = random.between(-5000, 5000);
+      frame.bias_slope = static_cast<int32_t>(random.between(-32768, 32767));
     }
     const spec::Triangle t = hard_triangle(random, design);
     spec::SetupPrim expected;
@@ -81,7 +81,7 @@ TEST(FastSetup, EqualsCoreInEveryNamedDesignAndAtTheLimitsOfWords) {
 }
 
 spec::Design random_design(Random& random) {
-  const auto in = [&](int low, int high) { return static_cast<int>(random.in(low, high)); };
+  const auto in = [&](int low, int high) { return static_cast<int>(random.between(low, high)); };
   spec::Design d;
   d.subpixel_bits = in(4, 12);
   d.guard_bits = in(7, 14);
@@ -133,12 +133,13 @@ TEST(FastReciprocal, EqualsCoreFromOneToTheGreatestArea) {
     std::vector<int64_t> areas;
     for (int length = 0; length <= greatest; ++length) {
       const int64_t power = int64_t{1} << length;
-      for (const int64_t area : {power - 1, power, power + 1, power + random.in(0, power - 1)}) {
+      for (const int64_t area :
+           {power - 1, power, power + 1, power + random.between(0, power - 1)}) {
         if (area > 0) areas.push_back(area);
       }
     }
     for (int i = 0; i < 2000; ++i) {
-      areas.push_back(random.in(1, int64_t{1} << random.in(1, greatest)));
+      areas.push_back(random.between(1, int64_t{1} << random.between(1, greatest)));
     }
     for_each_level([&] {
       for (const int64_t area : areas) {

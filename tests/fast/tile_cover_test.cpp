@@ -112,9 +112,9 @@ TEST_P(TileCover, EqualsStampByStampForStampsOfEveryShape) {
         frame.scissor_x0 %= 64;
         spec::Triangle t = hard_triangle(random, d);
         for (auto& v : t.v) {
-          if (random.in(0, 2) == 0) continue;
-          v.x = static_cast<int>(random.in(-1000, 140 * kPx));
-          v.y = static_cast<int>(random.in(-1000, 140 * kPx));
+          if (random.between(0, 2) == 0) continue;
+          v.x = static_cast<int>(random.between(-1000, 140 * kPx));
+          v.y = static_cast<int>(random.between(-1000, 140 * kPx));
           // Half of them on centres and between: edges then pass through the corners of tiles.
           if (n % 2 == 0) continue;
           v.x = v.x / kHalfPx * kHalfPx;

@@ -103,16 +103,16 @@ TEST_P(InterpZtestCycles, EqualWriteByWrite) {
   const tb::RtlLibrary& library = tb::raster_rtl(GetParam());
   const spec::Contract& c = library.contract();
   Unit unit(c);
-  vectors::Rng rng(11);
+  spec::Random random(11);
   size_t writes = 0;
   for (const int latency : {1, 2, 3, 8, c.design.max_depth_latency_cycles}) {
     for (const tb::StallMode mode : tb::kStallModes) {
       for (int i = 0; i < 6; ++i) {
-        const auto drawing = tb::random_traversal(&rng, c, i < 3 ? 8 : 40, 16, 200);
+        const auto drawing = tb::random_traversal(&random, c, i < 3 ? 8 : 40, 16, 200);
         tb::BenchOptions options;
         options.depth_latency_cycles = latency;
         options.stall_mode = mode;
-        options.seed = rng.next();
+        options.seed = random.bits();
         Record record;
         ModelRecorder recorder(&record);
         unit.run(drawing.frame, drawing.out, options, &recorder);
@@ -136,8 +136,8 @@ TEST(InterpZtestCyclesMutant, AStageLessIsNoticed) {
   spec::Contract shorter = library.contract();
   --shorter.width.attribute_cycles;
   Unit unit(shorter);
-  vectors::Rng rng(12);
-  const auto drawing = tb::random_traversal(&rng, library.contract(), 40, 16, 100);
+  spec::Random random(12);
+  const auto drawing = tb::random_traversal(&random, library.contract(), 40, 16, 100);
   Record record;
   ModelRecorder recorder(&record);
   unit.run(drawing.frame, drawing.out, {}, &recorder);

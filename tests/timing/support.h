@@ -1,7 +1,6 @@
 // What the timing tests share: scenes to draw, and a record of every token with its cycle.
 #pragma once
 
-#include <random>
 #include <string>
 #include <vector>
 
