@@ -6,7 +6,8 @@ namespace pineda::timing {
 
 namespace {
 
-// Of `count` tokens: the cycles from `before` or `inserted`, whichever is later, until `after`.
+// The sum over `count` tokens of the cycles from the later one of `before` and `inserted` to
+// `after`.
 PINEDA_CLONES Cycle add_up(const Cycle* inserted, const Cycle* before, const Cycle* after,
                            size_t count) {
   Cycle sum = 0;
