@@ -33,7 +33,7 @@ enum class Planes : uint8_t { kNone, kDepth, kAll };
 ///          Flat shading gives vertex 0's attributes to all three.
 /// Errors   none: every intermediate fits by widths(), and what may wrap wraps by design.
 /// Twin     rtl/setup/setup_unit.sv. Source: Pineda, SIGGRAPH 1988; Direct3D 11.3 spec 3.4.2.1
-/// (top-left).
+///          (top-left).
 Drop setup(const spec::Contract& contract, const spec::FrameState& frame,
            const spec::Triangle& triangle, spec::SetupPrim* out, Planes planes = Planes::kAll);
 
