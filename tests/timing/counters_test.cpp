@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace pineda::test {
 namespace {
@@ -87,6 +90,25 @@ TEST(CounterTable, EveryRowHasAPlaceAUnitAndAMeaning) {
     EXPECT_NE(row.meaning, "") << name;
     EXPECT_EQ(row.rtl.empty(), name == "drained") << name;
   }
+}
+
+// docs/counters.md has the rows of high_tile, in their order.
+TEST(CounterTable, IsTheOneInTheDocument) {
+  const spec::Contract contract = spec::contract(spec::kHighTile);
+  const auto code = [](const std::string& text) { return text.empty() ? "" : "`" + text + "`"; };
+  std::vector<std::string> expected;
+  const timing::FrameResult none = timing::empty_result(contract);
+  timing::for_each_counter(contract, none, [&](const Counter& row, auto) {
+    expected.push_back("| " + code(row.name) + " | " + code(row.json) + " | " + row.unit + " | " +
+                       row.meaning + " |");
+  });
+  std::ifstream document(PINEDA_COUNTERS_DOCUMENT);
+  ASSERT_TRUE(document);
+  std::vector<std::string> got;
+  for (std::string line; std::getline(document, line);) {
+    if (line.rfind("| `", 0) == 0) got.push_back(line);
+  }
+  EXPECT_EQ(got, expected);
 }
 
 TEST(CounterTable, DesignWithoutDepthHasNoRtlBehindItsDepthPorts) {
