@@ -37,16 +37,12 @@ void BandRenderer::draw(const std::vector<spec::Triangle>& triangles) {
 }
 
 core::FrameCounters BandRenderer::counters() const {
-  core::FrameCounters sum = bands_[0]->counters();
+  core::FrameCounters sum = bands_[0]->counters();  // each band sets up every triangle
   for (size_t i = 1; i < bands_.size(); ++i) {
-    const auto& c = bands_[i]->counters();
-    sum.tiles_tested += c.tiles_tested;
-    sum.tiles_rejected += c.tiles_rejected;
-    sum.tiles_accepted += c.tiles_accepted;
-    sum.stamps += c.stamps;
-    sum.fragments += c.fragments;
-    sum.interpolated += c.interpolated;
-    sum.passed += c.passed;
+    for (const core::FrameCounter& row : core::kFrameCounters) {
+      const bool of_triangles = row.is_drop() || row.member == &core::FrameCounters::triangles;
+      if (!of_triangles) row.of(sum) += row.of(bands_[i]->counters());
+    }
   }
   return sum;
 }

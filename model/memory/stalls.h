@@ -46,15 +46,16 @@ class Stalls {
   bool any() const { return mode_ != StallMode::kNone; }
   /// Does this port stand still in this cycle? Every 32 cycles a port draws how busy it is: never,
   /// one cycle in four, in two, or seven in eight.
-  bool operator()(Port port, uint64_t cycle) const {
+  bool operator()(Port port, Cycle cycle) const {
     const bool source = port < Port::kOutput;
     if (mode_ == StallMode::kNone || (mode_ == StallMode::kSource && !source) ||
         (mode_ == StallMode::kSink && source)) {
       return false;
     }
+    const auto time = static_cast<uint64_t>(cycle);
     static constexpr uint64_t kEighths[] = {0, 2, 4, 7};
-    const uint64_t busy = kEighths[hash(port, cycle / 32) >> 8 & 3];
-    return (hash(port, ~cycle) >> 8 & 7) < busy;
+    const uint64_t busy = kEighths[hash(port, time / 32) >> 8 & 3];
+    return (hash(port, ~time) >> 8 & 7) < busy;
   }
 
  private:

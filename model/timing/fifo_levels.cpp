@@ -9,7 +9,8 @@ namespace pineda::timing {
 
 namespace {
 
-// Of `count` tokens: the cycles from `before` or `inserted`, whichever is later, until `after`.
+// The sum over `count` tokens of the cycles from the later one of `before` and `inserted` to
+// `after`.
 PINEDA_KERNEL(Cycle, add_up,
               (const Cycle* inserted, const Cycle* before, const Cycle* after, size_t count),
               (inserted, before, after, count)) {

@@ -51,7 +51,8 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
   accepted_count_ = retired_count_ = entered_count_ = exit_count_ = 0;
   slot_free_.assign(static_cast<size_t>(contract_.width.inflight_stamps), 0);
   exits_.assign(static_cast<size_t>(contract_.width.attribute_cycles) + 1, -1);
-  // Those in flight, and one that has retired while its colours wait in the register.
+  // There is room for the stamps in flight, and for one that has retired while its colours wait in
+  // the register.
   stored_.reset(slot_free_.size() + 1);
   colored_.reset(exits_.size());
 }
@@ -122,7 +123,7 @@ void InterpZtestUnit::draw(const TileToken& tile) {
   shader_->draw(*tile.cover, frame_->buffer);
 }
 
-// The writes of a tile's stamps that passed; those of test 0 come, or would, in `retire`.
+// Notes the writes of a tile's stamps that passed. The stamp of test k writes in `retire` + k.
 void InterpZtestUnit::pass_run(const fast::TileCover& cover, Cycle retire) {
   const fast::TileSamples& passed = frame_->has_values ? shader_->passed() : cover.covered;
   if (passed.count == 0) return;
@@ -132,13 +133,13 @@ void InterpZtestUnit::pass_run(const fast::TileCover& cover, Cycle retire) {
       [&](int place) { update(cover, place, retire + cover.box.test_of(place)); });
 }
 
-// The writes of a stamp that retires in `retire`.
+// Notes the writes of a stamp that retires in `retire`.
 void InterpZtestUnit::pass(Cycle retire) {
   exit_ = retire + contract_.width.attribute_cycles;
   if (writes_depth_) retired_ = retire;
 }
 
-// What hierarchical z sees of a stamp's depth write.
+// Tells hierarchical z of a stamp's depth write.
 void InterpZtestUnit::update(const fast::TileCover& cover, int place, Cycle retire) {
   const spec::Design& d = contract_.design;
   const int x = (cover.x << columns_log2_) + (place & ((1 << columns_log2_) - 1));
@@ -214,7 +215,7 @@ void InterpZtestUnit::test(const spec::Stamp& stamp, const spec::DepthData& data
   if (stored->passed == 0) return;
   ++frame_->counters.interpolated;
   frame_->counters.passed += static_cast<uint64_t>(core::count_lanes(stored->passed));
-  // Time depends on the address and the lanes alone.
+  // Without attributes the write keeps its address and its lanes, which its time depends on.
   if (frame_->planes == fast::Planes::kAll) {
     core::interpolate_attributes(contract_, stamp, stored->passed, &fragment_);
   }
@@ -260,7 +261,8 @@ void InterpZtestUnit::drain() {
   if (retired >= 0) exit_ = retired + contract_.width.attribute_cycles;
 }
 
-// Until so many stamps have retired and no further: a read may come before the writes after that.
+// Goes on until so many stamps have retired, and no further: the read that waits for them may come
+// before later writes.
 void InterpZtestUnit::wait_for(uint64_t retired) {
   while (retired_count_ < retired) {
     if (!turn()) offer(kForever);
@@ -290,7 +292,7 @@ bool InterpZtestUnit::offer(Cycle until) {
   return true;
 }
 
-// Moves the write register on as far as no port is needed; false if it cannot move.
+// Takes one step of the write register that needs no port; false if there is none.
 bool InterpZtestUnit::turn() {
   if (stored_.empty()) return false;
   Stored& stored = stored_.front();
@@ -312,7 +314,7 @@ bool InterpZtestUnit::turn() {
     r.entered = true;
     return true;
   }
-  // Without a pipe the colours are still in the register.
+  // Without a pipe the colours stay in the register until they are written.
   const bool left = r.entered && (latency > 0 || colored_.empty());
   if (!r.written || !left) return false;
   write_free_ = std::max(r.retire, latency > 0 || stored.passed == 0 ? r.enter : exit_);

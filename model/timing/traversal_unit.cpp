@@ -6,7 +6,8 @@ namespace pineda::timing {
 
 namespace {
 
-// Takes a token in the cycle of the last test, if it is there; the first test comes after.
+// Takes the next token, as early as in the cycle of the last test. The first test of the new token
+// is in the cycle after that.
 Cycle taken(Cycle visible, LocalTime* time) {
   const Cycle cycle = std::max(time->now() - 1, visible);
   time->starve(cycle + 1);
@@ -71,7 +72,7 @@ void TraversalUnit::walk_tiles(const spec::SetupPrim& prim) {
   }
 }
 
-// The same tile by tile, since the planes of their stamps are stepped as well.
+// As walk_tiles(), but also steps the planes from tile to tile, since stamps are made with them.
 void TraversalUnit::walk_stamps(const spec::SetupPrim& prim) {
   using Test = core::TileWalk::Test;
   core::FrameCounters& counters = frame_->counters;
@@ -90,7 +91,7 @@ void TraversalUnit::walk_stamps(const spec::SetupPrim& prim) {
   }
 }
 
-// With its stamps.
+// Finds the coverage of the tile's stamps and hands the tile over.
 void TraversalUnit::send(const TileToken& tile) {
   walk_.cover_stamps(&cover_, &frame_->stamps_by_samples);
   frame_->counters.tiles_accepted += cover_.accepted ? 1 : 0;
@@ -98,7 +99,7 @@ void TraversalUnit::send(const TileToken& tile) {
   time_.spend(Cause::kBlocked, tiles_.push(tile, time_.now()), tile.prim->id);
 }
 
-// Coverage takes about as long as the memory.
+// Fetches the tile's values into the processor's cache. They arrive while its coverage is found.
 void TraversalUnit::prefetch() const {
   if (!frame_->has_values) return;
   frame_->buffer->prefetch(cover_, frame_->planes == fast::Planes::kAll);

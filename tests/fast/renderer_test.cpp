@@ -76,10 +76,8 @@ std::string compare(const spec::Contract& c, const spec::Contract& of_tiles, uin
   const core::FrameCounters& a = stamps.counters();
   const core::FrameCounters& b = tiles.counters();
   *drawn += a.passed;
-  if (a.tiles_tested != b.tiles_tested || a.tiles_rejected != b.tiles_rejected ||
-      a.tiles_accepted != b.tiles_accepted || a.stamps != b.stamps || a.fragments != b.fragments ||
-      a.interpolated != b.interpolated || a.passed != b.passed) {
-    return "counters";
+  for (const core::FrameCounter& row : core::kFrameCounters) {
+    if (row.of(a) != row.of(b)) return row.name;
   }
   const core::FrameBuffer drawn_by_tiles = tiles.buffer();
   if (stamps.buffer().hits != drawn_by_tiles.hits) return "hits";

@@ -98,7 +98,7 @@ TEST(Stalls, OfAModeAreThoseOfItsSide) {
   const Port sinks[] = {Port::kOutput, Port::kClear, stalling(MemoryPort::kDepthRead),
                         stalling(MemoryPort::kDepthWrite), stalling(MemoryPort::kColorWrite)};
   std::map<Port, int> stalled;
-  for (uint64_t cycle = 0; cycle < 4096; ++cycle) {
+  for (Cycle cycle = 0; cycle < 4096; ++cycle) {
     for (const Port port : sources) {
       EXPECT_FALSE(Stalls(StallMode::kSink, 7)(port, cycle));
       stalled[port] += Stalls(StallMode::kSource, 7)(port, cycle) ? 1 : 0;

@@ -16,14 +16,14 @@ BenchTop& bare() {
 }
 
 struct Drawn {
-  uint64_t cycles = 0;
+  Cycle cycles = 0;
   core::FrameBuffer buffer;
 };
 
 Drawn draw_bare(const spec::FrameState& frame, const std::vector<spec::Triangle>& triangles,
                 int latency_cycles) {
   bare().load(frame, triangles, latency_cycles);
-  const uint64_t cycles = bare().run();
+  const Cycle cycles = bare().run();
   return {cycles, bare().buffer()};
 }
 
@@ -32,7 +32,7 @@ Drawn draw(const spec::FrameState& frame, const std::vector<spec::Triangle>& tri
   BenchOptions options;
   options.depth_latency_cycles = latency_cycles;
   FrameBench bench(rtl(), options);
-  const uint64_t cycles = bench.run(frame, from(triangles), nullptr).cycles;
+  const Cycle cycles = bench.run(frame, from(triangles), nullptr).cycles;
   return {cycles, bench.buffer()};
 }
 

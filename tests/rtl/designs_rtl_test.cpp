@@ -107,10 +107,10 @@ TEST(DesignRtlRate, SetupTakesATriangleAtEveryInterval) {
     frame.width = frame.height = 64;
     SetupBench bench(library, BenchOptions());
     bench.set_frame(frame);
-    std::vector<uint64_t> accepted;
+    std::vector<Cycle> accepted;
     const auto out = bench.run(std::vector<spec::Triangle>(20, triangle), &accepted);
     EXPECT_EQ(out.tokens.size(), 20u);
-    const auto interval = static_cast<uint64_t>(library.contract().width.setup_interval_cycles);
+    const Cycle interval = library.contract().width.setup_interval_cycles;
     for (size_t i = 1; i < accepted.size(); ++i) {
       EXPECT_EQ(accepted[i] - accepted[i - 1], interval) << design;
     }

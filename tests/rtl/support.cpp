@@ -162,7 +162,7 @@ std::string check_frame(FrameBench* bench, const spec::FrameState& frame,
   if (bench->buffer().depth != model.depth) return "depth memories differ";
   if (bench->buffer().color != model.color) return "colour memories differ";
   if (bench->buffer().hits != model.hits) return "hits differ";
-  return result.triangles == triangles.size() ? "" : "triangles were lost";
+  return result.counters.triangles == triangles.size() ? "" : "triangles were lost";
 }
 
 }  // namespace pineda::tb

@@ -60,8 +60,7 @@ TEST_P(TopRtl, CloseUpsSumUpToTheFrame) {
   FrameBench whole(rtl(), options(GetParam()));
   const FrameResult result = whole.run(frame, from(triangles), nullptr);
   std::array<timing::UnitCycles, timing::kUnits> sum;
-  const auto drained = static_cast<uint64_t>(result.spent.drained);
-  for (uint64_t cycle = 0; cycle < drained; ++cycle) {
+  for (Cycle cycle = 0; cycle < result.spent.drained; ++cycle) {
     FrameBench bench(rtl(), options(GetParam()));
     const auto causes =
         bench.run_close_up(frame, from(triangles), nullptr, {cycle, cycle, cycle + 1, ""});
@@ -108,7 +107,7 @@ TEST_P(TopRtl, ResetInTheMiddleOfAFrameLeavesAWorkingPipeline) {
   spec::FrameState frame;
   frame.width = frame.height = 48;
   const auto triangles = random_triangles(&random, frame, 40, 60);
-  for (uint64_t cycles = 1; cycles < 1200; cycles += 37) {
+  for (Cycle cycles = 1; cycles < 1200; cycles += 37) {
     FrameBench bench(rtl(), options(GetParam()));
     bench.run_into_reset(frame, from(triangles), cycles);
     ASSERT_EQ(check_frame(&bench, frame, triangles), "") << "reset after " << cycles << " cycles";
