@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/core/perspective.h"
+#include "model/fast/reciprocal.h"
 #include "model/fast/tile_values.h"
 
 namespace pineda::fast {
@@ -94,14 +96,23 @@ void TileShader::draw_perspective(const TileCover& cover, TiledBuffer* buffer) {
     stamp_.edge[i] = {e.a, e.b, e.e + e.a * across + e.b * down};
   }
   stamp_.planes.perspective = prim_->planes.perspective;
-  stamp_.planes.flat = prim_->planes.flat;
+  color_.flat = prim_->planes.flat;
   const int columns_log2 = cover.box.columns_log2;
   passed().for_each_stamp([&](int place) {
     const uint32_t passed = lanes_of(d, this->passed(), place);
     stamp_.x = (cover.x << columns_log2) + (place & ((1 << columns_log2) - 1));
     stamp_.y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2);
-    core::interpolate_attributes(contract_, stamp_, passed, &fragment_);
-    buffer->write(contract_, core::color_write(contract_, stamp_, fragment_, passed));
+    const int x = (stamp_.x << d.stamp_width_log2) - (cover.x << d.tile_log2);
+    const int y = (stamp_.y << d.stamp_height_log2) - (cover.y << d.tile_log2);
+    core::for_each_lane(d, passed, [&](size_t lane, int column, int row) {
+      const auto product = core::weight_products(contract_, stamp_, x + column, y + row);
+      const auto sum = reciprocal(contract_, product[0] + product[1] + product[2]);
+      core::weigh_attributes(contract_, stamp_, product, sum, &color_.attr[lane]);
+    });
+    color_.x = stamp_.x;
+    color_.y = stamp_.y;
+    color_.mask = passed;
+    buffer->write(contract_, color_);
   });
 }
 

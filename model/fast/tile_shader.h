@@ -46,7 +46,7 @@ class TileShader {
   StampCounts counts_;
   // Perspective
   spec::Stamp stamp_;
-  spec::Fragment fragment_;
+  spec::ColorWrite color_;
 };
 
 }  // namespace pineda::fast
