@@ -10,7 +10,8 @@
 
 namespace pineda::cli {
 
-using scene::name_of;
+using spec::name_of;
+
 Output::Output(const Options& options)
     : json_(options.json), quiet_(options.quiet), file_(options.json == "-" ? stderr : stdout) {}
 

@@ -229,8 +229,8 @@ int run(const CheckOptions& options) {
   const tb::RtlLibrary library(contract, [&](const std::string& text) { output.say(text); });
   const std::string state = scene::unusual_state(scene.frame);
   const std::string settings =
-      fmt::format("cull {}, depth {}{}{}, {}, stalls {}, seed {}", scene::name_of(scene.frame.cull),
-                  scene::name_of(scene.frame.depth), state.empty() ? "" : ", ", state,
+      fmt::format("cull {}, depth {}{}{}, {}, stalls {}, seed {}", spec::name_of(scene.frame.cull),
+                  spec::name_of(scene.frame.depth), state.empty() ? "" : ", ", state,
                   memory_text(options, contract), options.stall, options.seed);
   output.line("{}: {}x{}, {}, {}", scene.name, scene.frame.width, scene.frame.height,
               contract.design.name, settings);

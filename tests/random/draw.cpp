@@ -24,41 +24,47 @@ int scaled(Random* r, int bits) {
   return r->between((scale + 1) / 2, scale);
 }
 
+// Anywhere in its range.
+void draw(Random* r, int spec::Design::*member, spec::Design* d) {
+  const auto& number = std::get<spec::Number>(spec::parameter(member).member);
+  d->*member = r->between(number.low(*d), number.high(*d));
+}
+
 void draw_values(Random* r, spec::Design* d) {
   d->depth_test = !one_in(r, 8);
-  d->depth_bits = r->between(16, 32);
+  draw(r, &spec::Design::depth_bits, d);
   d->attributes = r->between(0, one_in(r, 4) ? spec::kMaxAttributes : 4);
   d->flat_attributes = std::min(r->between(0, 2), spec::kMaxAttributes - d->attributes);
-  d->attribute_bits = r->between(1, 16);
+  draw(r, &spec::Design::attribute_bits, d);
   d->perspective = one_in(r, 3);
-  d->inverse_w_bits = r->between(8, 24);
+  draw(r, &spec::Design::inverse_w_bits, d);
 }
 
 void draw_setup(Random* r, spec::Design* d) {
-  d->subpixel_bits = r->between(4, 12);
-  d->guard_bits = r->between(4, 14);
+  draw(r, &spec::Design::subpixel_bits, d);
+  draw(r, &spec::Design::guard_bits, d);
   d->reciprocal_scheme = static_cast<ReciprocalScheme>(r->between(0, 3));
-  d->reciprocal_lut_bits = r->between(4, 12);
-  d->reciprocal_newton_steps = r->between(0, 2);
-  d->reciprocal_bits = r->between(12, 32);
+  draw(r, &spec::Design::reciprocal_lut_bits, d);
+  draw(r, &spec::Design::reciprocal_newton_steps, d);
+  draw(r, &spec::Design::reciprocal_bits, d);
   d->setup_style = static_cast<spec::SetupStyle>(r->between(0, 2));
-  d->gradient_fraction_bits = r->between(8, 20);
-  d->tile_fraction_bits = r->between(1, d->gradient_fraction_bits);
+  draw(r, &spec::Design::gradient_fraction_bits, d);
+  draw(r, &spec::Design::tile_fraction_bits, d);
 }
 
 void draw_raster(Random* r, spec::Design* d) {
   d->tile_log2 = r->between(2, 6);
-  d->stamp_width_log2 = r->between(0, 2);
-  d->stamp_height_log2 = r->between(0, 2);
+  draw(r, &spec::Design::stamp_width_log2, d);
+  draw(r, &spec::Design::stamp_height_log2, d);
   d->hierarchical_z = one_in(r, 2);
-  d->hierarchical_z_bits = r->between(4, 16);
+  draw(r, &spec::Design::hierarchical_z_bits, d);
   d->hierarchical_z_tiles = scaled(r, 14);
   d->hierarchical_z_delay_cycles = scaled(r, 6);
   d->prim_fifo_depth = scaled(r, 6);
   d->tile_fifo_depth = scaled(r, 6);
   d->stamp_fifo_depth = scaled(r, 6);
   d->max_depth_latency_cycles = scaled(r, 6);
-  d->depth_latency_cycles = r->between(1, d->max_depth_latency_cycles);
+  draw(r, &spec::Design::depth_latency_cycles, d);
 }
 
 bool usable(const spec::Design& d) {
@@ -195,9 +201,9 @@ std::string summary_of(const spec::Design& d) {
       "{} l{} n{} k{} {}, S{} g{}, {}{}, {}+{} of {} bits{}, F{}/{}, tile {}, stamp {}x{}, FIFOs "
       "{} "
       "{} {}, latency {}",
-      spec::reciprocal_scheme_name(d.reciprocal_scheme), d.reciprocal_lut_bits,
-      d.reciprocal_newton_steps, d.reciprocal_bits, spec::setup_style_name(d.setup_style),
-      d.subpixel_bits, d.guard_bits, d.depth_test ? fmt::format("z{}", d.depth_bits) : "no z",
+      spec::name_of(d.reciprocal_scheme), d.reciprocal_lut_bits, d.reciprocal_newton_steps,
+      d.reciprocal_bits, spec::name_of(d.setup_style), d.subpixel_bits, d.guard_bits,
+      d.depth_test ? fmt::format("z{}", d.depth_bits) : "no z",
       d.hierarchical_z ? fmt::format(" hidden {}b {} tiles {} cycles", d.hierarchical_z_bits,
                                      d.hierarchical_z_tiles, d.hierarchical_z_delay_cycles)
                        : "",
