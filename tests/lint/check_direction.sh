@@ -1,7 +1,7 @@
 #!/bin/sh
 # check_direction.sh ROOT: fails when an include points against the direction
 #   spec <- core <- memory <- timing <- tb <- cli;  scene -> spec;  exact and files use nothing;
-#   tests use everything.
+#   judge -> core, exact; tests use everything.
 # Also: paths start at the root, only the plug-ins of tb and the tests of lone modules see a Verilated
 # header, and SystemC is known from model/timing on.
 set -eu
@@ -13,14 +13,15 @@ BEGIN {
   may["model/spec"] = "model/spec"
   may["model/core"] = "model/core model/spec"
   may["model/exact"] = "model/exact"
+  may["model/judge"] = "model/judge model/core model/exact model/spec"
   may["model/scene"] = "model/scene model/files model/spec"
   may["model/baseline"] = "model/baseline model/spec"
   may["model/memory"] = "model/memory model/core model/spec"
   may["model/timing"] = "model/timing model/memory model/core model/spec"
-  may["vectors"] = "vectors model/core model/exact model/spec"
+  may["vectors"] = "vectors model/judge model/core model/exact model/spec"
   may["tb"] = "tb model/timing model/memory model/core model/files model/spec"
   may["studies"] = "studies tb vectors model/timing model/memory model/scene model/baseline " \
-                   "model/exact model/core model/files model/spec"
+                   "model/judge model/exact model/core model/files model/spec"
   may["cli"] = "cli " may["studies"]
   may["examples"] = "model/timing model/memory model/core model/spec"
   may["tests"] = "tests " may["cli"]
