@@ -12,6 +12,7 @@
 #include "studies/error/error_pictures.h"
 #include "studies/error/error_table.h"
 #include "studies/judge/front_end.h"
+#include "studies/judge/stated.h"
 
 namespace pineda::cli {
 namespace {
@@ -61,7 +62,7 @@ std::vector<studies::SceneTriangle> load(const scene::Scene& scene, const ErrorO
     if (static_cast<int64_t>(triangles.size()) == kLimits.triangles) {
       refuse(scene, kLimits.triangles, "triangles");
     }
-    triangle.screen = stated(scene.source->screen());
+    triangle.screen = studies::stated(scene.source->screen());
     triangles.push_back(triangle);
     progress->update("loading", n);
   }

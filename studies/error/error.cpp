@@ -23,9 +23,9 @@ double seconds_of(Call&& call) {
 class Contestant {
  public:
   virtual ~Contestant() = default;
-  virtual void score(const spec::Triangle& triangle, const Truth& truth) = 0;
+  virtual void score(const spec::Triangle& triangle, const judge::ScreenTruth& truth) = 0;
   /// After all triangles, for those that are judged by their frame.
-  virtual void score_frame(const std::vector<SceneTriangle>&, const VisibleFrame&) {}
+  virtual void score_frame(const std::vector<SceneTriangle>&, const judge::VisibleFrame&) {}
   /// Seconds of a frame from its clear on. Memories exist only while it runs.
   virtual double frame_seconds(const std::vector<SceneTriangle>& triangles) = 0;
 
@@ -38,7 +38,7 @@ class DesignContestant final : public Contestant {
       : contract_(spec::contract(design)), frame_(frame), scorer_(design, frame, map) {}
 
   Subject& subject() override { return scorer_.subject(); }
-  void score(const spec::Triangle& triangle, const Truth& truth) override {
+  void score(const spec::Triangle& triangle, const judge::ScreenTruth& truth) override {
     scorer_.score(triangle, truth);
   }
   double frame_seconds(const std::vector<SceneTriangle>& triangles) override {
@@ -57,7 +57,7 @@ class DesignContestant final : public Contestant {
 
 /// Writes a baseline's samples into memories, with the depth test or, for a painter, without.
 struct FrameSink final : baseline::Sink {
-  FrameSink(VisibleFrame* memory, bool tests) : to(memory), test(tests) {}
+  FrameSink(judge::VisibleFrame* memory, bool tests) : to(memory), test(tests) {}
   void sample(const baseline::Sample& s) override {
     if (test) {
       to->write(s.x, s.y, s.z, s.rgba);
@@ -65,7 +65,7 @@ struct FrameSink final : baseline::Sink {
       to->overwrite(s.x, s.y, s.z, s.rgba);
     }
   }
-  VisibleFrame* to;
+  judge::VisibleFrame* to;
   bool test;
 };
 
@@ -92,7 +92,7 @@ class BaselineContestant final : public Contestant {
   }
 
   Subject& subject() override { return subject_; }
-  void score(const spec::Triangle& triangle, const Truth& truth) override {
+  void score(const spec::Triangle& triangle, const judge::ScreenTruth& truth) override {
     if (subject_.judged_by_frame) return;
     scorer_.begin(truth);
     rasterizer_->draw(triangle, &scorer_);
@@ -101,21 +101,21 @@ class BaselineContestant final : public Contestant {
   }
 
   void score_frame(const std::vector<SceneTriangle>& triangles,
-                   const VisibleFrame& truth) override {
+                   const judge::VisibleFrame& truth) override {
     if (!subject_.judged_by_frame) return;
-    VisibleFrame memory(design_, frame_);
+    judge::VisibleFrame memory(design_, frame_);
     draw_frame(triangles, &memory);
     subject_.visited = static_cast<double>(rasterizer_->visited());
     scorer_.frame(truth, memory);
   }
 
   double frame_seconds(const std::vector<SceneTriangle>& triangles) override {
-    VisibleFrame memory(design_, frame_);
+    judge::VisibleFrame memory(design_, frame_);
     return seconds_of([&] { draw_frame(triangles, &memory); });
   }
 
  private:
-  void draw_frame(const std::vector<SceneTriangle>& triangles, VisibleFrame* memory) {
+  void draw_frame(const std::vector<SceneTriangle>& triangles, judge::VisibleFrame* memory) {
     memory->clear();
     const bool paints = subject_.judged_by_frame && frame_.depth != spec::DepthFunc::kOff;
     FrameSink sink(memory, !paints);
@@ -217,8 +217,9 @@ int64_t count_samples(const std::vector<SceneTriangle>& triangles, const spec::F
                       const spec::Design& design, int64_t limit) {
   int64_t count = 0;
   for (const SceneTriangle& t : triangles) {
-    count +=
-        exact::ScreenJudge(t.screen, format_of(design), exact_frame(frame)).snapped().samples();
+    count += exact::ScreenJudge(t.screen, judge::format_of(design), judge::exact_frame(frame))
+                 .snapped()
+                 .samples();
     if (count > limit) break;
   }
   return count;
@@ -233,10 +234,10 @@ ErrorStudy study_errors(const std::vector<SceneTriangle>& triangles, const spec:
   study.height = frame.height;
   study.triangles = triangles.size();
 
-  VisibleFrame visible(first, frame);
-  Truth truth;
+  judge::VisibleFrame visible(first, frame);
+  judge::ScreenTruth truth;
   for (const SceneTriangle& t : triangles) {
-    const exact::ScreenJudge judge(t.screen, format_of(first), exact_frame(frame));
+    const exact::ScreenJudge judge(t.screen, judge::format_of(first), judge::exact_frame(frame));
     truth.judge(judge);
     study.samples += truth.samples().size();
     if (!judge.affine()) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "studies/judge/truth.h"
+#include "model/judge/truth.h"
 
 namespace pineda::studies {
 
@@ -11,12 +11,12 @@ MeshJudgement judge_front_end(const scene::ClipMesh& mesh, const spec::FrameStat
                               const spec::Design& design) {
   spec::Design exact = design;  // as far as a judge looks at it
   exact.perspective = true;
-  MeshJudge judge(mesh, spec::contract(exact), frame);
+  MeshJudge mesh_judge(mesh, spec::contract(exact), frame);
   const auto channels = std::min<size_t>(static_cast<size_t>(spec::channels(design)), 4);
   const auto smooth = static_cast<size_t>(design.attributes);
-  Truth truth;
+  judge::ScreenTruth truth;
   for (const SceneTriangle& piece : pieces) {
-    truth.judge({piece.screen, format_of(design), exact_frame(frame)});
+    truth.judge({piece.screen, judge::format_of(design), judge::exact_frame(frame)});
     for (const exact::Sample& sample : truth.samples()) {
       MeshHit hit{
           sample.x, sample.y, piece.snapped.id, static_cast<uint32_t>(sample.z.nearest), {}};
@@ -24,10 +24,10 @@ MeshJudgement judge_front_end(const scene::ClipMesh& mesh, const spec::FrameStat
         hit.color[k] = k < smooth ? static_cast<int32_t>(truth.attribute(sample, k, true).nearest)
                                   : truth.flat()[k];
       }
-      judge.hit(hit);
+      mesh_judge.hit(hit);
     }
   }
-  return judge.finish();
+  return mesh_judge.finish();
 }
 
 }  // namespace pineda::studies

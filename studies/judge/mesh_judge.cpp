@@ -8,8 +8,6 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "studies/judge/truth.h"
-
 namespace pineda::studies {
 namespace {
 
@@ -29,7 +27,7 @@ Corners listed(const std::vector<uint32_t>& corner, const List& list, uint32_t t
 
 exact::MeshFrame mesh_frame(const scene::ClipMesh& mesh, const spec::Design& design,
                             const spec::FrameState& frame) {
-  const exact::Frame state = exact_frame(frame);
+  const exact::Frame state = judge::exact_frame(frame);
   exact::MeshFrame result{frame.width, frame.height, state.cull,     state.x0,       state.y0,
                           state.x1,    state.y1,     mesh.depth.low, mesh.depth.high};
   // Half a subpixel, and a unit of a binary32 at the guard band's border.

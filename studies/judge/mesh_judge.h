@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "model/exact/mesh.h"
+#include "model/judge/comparison.h"
 #include "model/scene/mesh_reader.h"
-#include "model/spec/bounds.h"
 
 namespace pineda::studies {
 
@@ -20,12 +20,7 @@ struct MeshJudgement {
   uint64_t banded = 0;   // of these in an edge's band, where there may be a hit or not
   uint64_t wrong = 0;    // samples of faces: too many hits, too few, a wrong value
 
-  struct Place {
-    int x = 0, y = 0;       // px
-    uint32_t triangle = 0;  // from 0
-    std::string what;       // "hits: 1, expected 0"
-  };
-  std::optional<Place> first;  // by face, then by row
+  std::optional<judge::Difference> first;  // by face, then by row: "hits: 1, expected 0"
 
   bool holds() const { return wrong == 0; }
 };

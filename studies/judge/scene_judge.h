@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "model/judge/comparison.h"
 #include "studies/judge/scene_truth.h"
 #include "studies/needs/scene_use.h"
 
@@ -18,14 +19,9 @@ struct SceneLimits {
   uint64_t other_winner = 0;  // samples that may show another triangle than with exact depths
 };
 
-struct SceneJudgement {
-  uint64_t samples = 0;       // judged
-  uint64_t missing = 0;       // exact covers, the design does not
-  uint64_t extra = 0;         // the design covers, exact does not; a second time counts too
+struct SceneJudgement : judge::Verdict {
   uint64_t other_winner = 0;  // samples of the frame that show another triangle
-  double max_depth_ulp = 0;
-  double max_color_lsb = 0;
-  bool finished = true;  // false: stopped at the first triangle out of the limits
+  bool finished = true;       // false: stopped at the first triangle out of the limits
 
   bool holds(const SceneLimits& limits) const;
   /// Empty if it holds, else what does not, in a few words.

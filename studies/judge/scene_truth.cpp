@@ -2,15 +2,6 @@
 
 namespace pineda::studies {
 
-exact::ScreenTriangle stated(const scene::ScreenTriangle& triangle) {
-  exact::ScreenTriangle result;
-  for (size_t i = 0; i < 3; ++i) {
-    const scene::ScreenVertex& v = triangle.v[i];
-    result[i] = {v.x, v.y, v.z, v.w, {v.rgba[0], v.rgba[1], v.rgba[2], v.rgba[3]}};
-  }
-  return result;
-}
-
 void TruthCache::start(const exact::Format& format) {
   if (format.depth_bits == depth_bits_) return;
   depth_bits_ = format.depth_bits;
@@ -18,7 +9,8 @@ void TruthCache::start(const exact::Format& format) {
   samples_ = 0;
 }
 
-const Truth& TruthCache::truth(size_t number, const exact::ScreenJudge& judge, exact::Span rows) {
+const judge::ScreenTruth& TruthCache::truth(size_t number, const exact::ScreenJudge& judge,
+                                            exact::Span rows) {
   const exact::Span all = judge.rows();
   const bool is_whole = rows.first == all.first && rows.last == all.last;
   if (is_whole && number < kept_.size()) return kept_[number];

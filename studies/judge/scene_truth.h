@@ -3,14 +3,12 @@
 
 #include <memory>
 
+#include "model/judge/truth.h"
 #include "model/scene/resnap.h"
 #include "model/scene/scene.h"
-#include "studies/judge/truth.h"
+#include "studies/judge/stated.h"
 
 namespace pineda::studies {
-
-/// A triangle as a scene states it, for the judge.
-exact::ScreenTriangle stated(const scene::ScreenTriangle& triangle);
 
 /// Reads the scene from its start and calls visit(spec::Triangle, exact::ScreenJudge) for each
 /// triangle, snapped for `contract`, until it returns false. The judge takes the triangle in
@@ -20,7 +18,7 @@ void for_each_judged(const scene::Scene& scene, const spec::Contract& contract,
                      const exact::Format& format, Visitor&& visit) {
   scene::SnappedSource source(contract, std::make_unique<scene::Unsnapped>(scene.source.get()));
   source.rewind();
-  const exact::Frame frame = exact_frame(scene.frame);
+  const exact::Frame frame = judge::exact_frame(scene.frame);
   spec::Triangle triangle;
   while (source.next(&triangle)) {
     const exact::ScreenJudge judge(stated(source.screen()), format, frame);
@@ -37,14 +35,14 @@ class TruthCache {
   /// Before each pass over the scene. What is kept was judged in the same format.
   void start(const exact::Format& format);
   /// Of the triangle of this number in the scene in these of its rows, until the next call.
-  const Truth& truth(size_t number, const exact::ScreenJudge& judge, exact::Span rows);
+  const judge::ScreenTruth& truth(size_t number, const exact::ScreenJudge& judge, exact::Span rows);
 
  private:
   size_t most_samples_;
   size_t samples_ = 0;
   int depth_bits_ = -1;
-  std::vector<Truth> kept_;  // of the first triangles
-  Truth other_;
+  std::vector<judge::ScreenTruth> kept_;  // of the first triangles
+  judge::ScreenTruth other_;
 };
 
 /// Calls visit(rows) for bands of a triangle's rows, each of whole rows of tiles and with a bounded

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "model/baseline/baseline.h"
+#include "model/judge/comparison.h"
+#include "model/judge/visible_frame.h"
 #include "studies/error/error.h"
-#include "studies/judge/truth.h"
 
 namespace pineda::studies {
 
@@ -14,18 +15,18 @@ class Scorer final : public baseline::Sink {
   Scorer(Subject* subject, const spec::FrameState& frame, const spec::Design& design,
          bool with_map);
 
-  void begin(const Truth& truth);
+  void begin(const judge::Truth& truth);
   /// The subject covers this sample with these values.
+  void sample(const judge::Drawn& drawn);
   void sample(const baseline::Sample& sample) override;
   void end();
 
   /// Instead of triangles: every pixel of the frame that the subject left, against the frame that
   /// the nearest codes leave.
-  void frame(const VisibleFrame& truth, const VisibleFrame& got);
+  void frame(const judge::VisibleFrame& truth, const judge::VisibleFrame& got);
 
  private:
-  void values(size_t pixel, double depth_error, bool depth_misrounded,
-              const std::array<double, 4>& color_error, const std::array<bool, 4>& misrounded);
+  void values(size_t pixel, const judge::Errors& errors);
   void wrong(size_t pixel, uint8_t kind);
   size_t pixel(int x, int y) const {
     return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
@@ -33,12 +34,9 @@ class Scorer final : public baseline::Sink {
 
   Subject* subject_;
   int width_;
-  bool depth_;
-  bool perspective_;
-  size_t attributes_;  // interpolated, of those that a sample has
-  size_t channels_;
-  const Truth* truth_ = nullptr;
-  std::vector<uint8_t> seen_;  // by index of the truth's sample
+  judge::Values values_;  // of the attributes the colour alone
+  const judge::Truth* truth_ = nullptr;
+  judge::Seen seen_;
 };
 
 /// A design point's fragments, hidden ones included, to a scorer.
@@ -48,7 +46,7 @@ class DesignScorer {
   DesignScorer(const DesignScorer&) = delete;
   DesignScorer& operator=(const DesignScorer&) = delete;
 
-  void score(const spec::Triangle& triangle, const Truth& truth);
+  void score(const spec::Triangle& triangle, const judge::ScreenTruth& truth);
   const Subject& subject() const { return subject_; }
   Subject& subject() { return subject_; }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/judge/visible_frame.h"
 #include "studies/judge/scene_truth.h"
 
 namespace pineda::studies {
@@ -69,7 +70,7 @@ class Gatherer {
   Winners& winners_;
   std::vector<Depth> depth_;
   std::vector<uint32_t> hits_;
-  Truth truth_;
+  judge::ScreenTruth truth_;
 };
 
 void Gatherer::positions(const spec::Triangle& t) {
@@ -139,7 +140,7 @@ void Gatherer::sample(const exact::Sample& s) {
     if (gap == 0) ++use_.equal;
     if (gap != 0 && (use_.least_gap == 0 || part < use_.least_gap)) use_.least_gap = part;
   }
-  if (!passes(frame_.depth, gap < 0 ? -1 : gap > 0 ? 1 : 0)) return;
+  if (!judge::passes(frame_.depth, gap < 0 ? -1 : gap > 0 ? 1 : 0)) return;
   winners_[i] = static_cast<uint32_t>(use_.triangles);
   if (is_tested && frame_.depth_write) depth_[i] = depth;
 }
@@ -179,16 +180,10 @@ int SceneUse::gap_bits() const {
   return least_gap == 0 ? 0 : static_cast<int>(std::ceil(-std::log2(least_gap)));
 }
 
-bool passes(spec::DepthFunc func, int order) {
-  // Bit 0 less, bit 1 equal, bit 2 greater, in the order of DepthFunc.
-  static constexpr unsigned kPasses[] = {1, 3, 7, 0, 2, 4, 5, 6, 7};
-  return (kPasses[static_cast<size_t>(func)] >> (order + 1) & 1) != 0;
-}
-
 SceneUse scene_use(const scene::Scene& scene, const spec::Contract& base, Winners* winners) {
   SceneUse use;
   Gatherer gatherer(base, scene.frame, &use, winners);
-  exact::Format format = format_of(base.design);
+  exact::Format format = judge::format_of(base.design);
   format.depth_bits = exact_depth_bits(base.design, scene.frame);
   format.attributes = 0;  // colours matter by their vertices alone
   for_each_judged(scene, base, format, [&](const spec::Triangle& t, const exact::ScreenJudge& j) {

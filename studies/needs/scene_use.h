@@ -53,9 +53,6 @@ struct SceneUse {
 /// scene is drawn, 0 for none.
 using Winners = std::vector<uint32_t>;
 
-/// Does a comparison pass? `order`: -1 the new one is less, 0 equal, 1 greater.
-bool passes(spec::DepthFunc func, int order);
-
 /// One pass over the scene in exact arithmetic. `*winners`: the picture with exact depths.
 ///
 /// In       a scene that can be rewound, opened for `base`, in whose depth codes a bias is.

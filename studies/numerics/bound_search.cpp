@@ -6,7 +6,7 @@
 
 #include "model/core/setup.h"
 #include "model/core/traversal.h"
-#include "model/exact/exact.h"
+#include "model/judge/exact_terms.h"
 
 namespace pineda::studies {
 namespace {
@@ -27,13 +27,6 @@ struct Range {
 
   spec::FrameState frame() const { return {frame_px, frame_px}; }
 };
-
-exact::Judge judge_of(const spec::Contract& c, const spec::Triangle& t) {
-  exact::Triangle v;
-  for (size_t i = 0; i < 3; ++i) v[i] = {t.v[i].x, t.v[i].y, t.v[i].z, {t.v[i].attr[0]}};
-  const int frame_px = Range(c).frame_px;
-  return {v, c.design.subpixel_bits, frame_px, frame_px, exact::Cull::kNone};
-}
 
 // The planes at the first sample of a pixel's tile, as traversal hands them on, without walking
 // there: steps of whole tiles are exact modulo the planes' widths.
@@ -109,7 +102,7 @@ WorstCase changed(Random& random, const Range& r, WorstCase at, Value value) {
 
 double error_before_rounding(const spec::Contract& c, Value value, const spec::Triangle& t, int x,
                              int y) {
-  const exact::Judge exact = judge_of(c, t);
+  const exact::Judge exact = judge::exact_judge(c.design, Range(c).frame(), t);
   if (exact.culled() || !exact.covers(x, y)) return -1;
   const auto planes = planes_at(c, t, x, y);
   if (!planes) return -1;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/core/frame.h"
+#include "model/judge/drawing.h"
 
 namespace pineda::studies {
 namespace {
@@ -41,24 +41,15 @@ void add(const DesignScorer& scorer, const char* shape, DesignPoint* to) {
 
 using Codes = std::vector<int64_t>;  // of the window, -1 where nothing is drawn
 
-struct CodeSink {
-  const spec::Design& design;
-  int width;
-  Codes* codes;
-  void prim(const spec::SetupPrim&) {}
-  void stamp(const spec::Stamp&) {}
-  void fragment(const spec::Stamp& stamp, const spec::Fragment& fragment) const {
-    const int columns = 1 << design.stamp_width_log2;
-    for (uint32_t mask = stamp.mask; mask != 0; mask &= mask - 1) {
-      const int lane = __builtin_ctz(mask);
-      const int x = stamp.x * columns + lane % columns;
-      const int y = (stamp.y << design.stamp_height_log2) + lane / columns;
-      const auto index =
-          static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
-      (*codes)[index] = fragment.z[static_cast<size_t>(lane)];
-    }
-  }
-};
+Codes codes_of(const spec::Contract& contract, const spec::FrameState& frame,
+               const spec::Triangle& t) {
+  const auto width = static_cast<size_t>(frame.width);
+  Codes codes(width * static_cast<size_t>(frame.height), -1);
+  judge::for_each_sample(contract, frame, t, [&](const judge::Drawn& s) {
+    codes[static_cast<size_t>(s.y) * width + static_cast<size_t>(s.x)] = s.z;
+  });
+  return codes;
+}
 
 /// A triangle of some 300 px over the whole window and one inside it, on one steep plane.
 std::pair<spec::Triangle, spec::Triangle> coplanar_pair(Random& random) {
@@ -116,13 +107,13 @@ std::vector<DesignPoint> study_design_points(const DesignPointOptions& options) 
       scorers.push_back(std::make_unique<DesignScorer>(d, frame, false));
     }
     Random random(options.seed);
-    Truth truth;
+    judge::ScreenTruth truth;
     for (int n = 0; n < options.triangles; ++n) {
       spec::Triangle t = random_triangle(random, shape);
       randomize_values(random, &t);
       const auto screen = as_floats(t, options.designs.front());
-      const exact::ScreenJudge judge(screen, format_of(options.designs.front()),
-                                     exact_frame(frame));
+      const exact::ScreenJudge judge(screen, judge::format_of(options.designs.front()),
+                                     judge::exact_frame(frame));
       for (size_t i = 0; i < 3; ++i) {
         t.v[i].z = judge.snapped().vertices()[i].z;
         t.v[i].inverse_w = 1 << (options.designs.front().inverse_w_bits - 1);  // w = 1
@@ -138,20 +129,15 @@ std::vector<DesignPoint> study_design_points(const DesignPointOptions& options) 
 }
 
 double coplanar_difference(const spec::Design& design, int pairs, uint64_t seed) {
-  constexpr int kWidth = 67;
-  constexpr int kHeight = 45;
-  const spec::FrameState frame{kWidth, kHeight, spec::Cull::kNone, spec::DepthFunc::kOff};
+  const spec::FrameState frame{67, 45, spec::Cull::kNone, spec::DepthFunc::kOff};
   const spec::Contract contract = spec::contract(design);
   Random random(seed);
-  core::FrameCounters counters;
   uint64_t compared = 0;
   uint64_t different = 0;
   for (int n = 0; n < pairs; ++n) {
     const auto [outer, inner] = coplanar_pair(random);
-    Codes first(size_t{kWidth} * kHeight, -1);
-    Codes second = first;
-    core::draw_triangle(contract, frame, {}, outer, &counters, CodeSink{design, kWidth, &first});
-    core::draw_triangle(contract, frame, {}, inner, &counters, CodeSink{design, kWidth, &second});
+    const Codes first = codes_of(contract, frame, outer);
+    const Codes second = codes_of(contract, frame, inner);
     for (size_t i = 0; i < first.size(); ++i) {
       if (first[i] < 0 || second[i] < 0) continue;
       ++compared;

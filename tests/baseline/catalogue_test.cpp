@@ -87,7 +87,7 @@ TEST(HardInput, CornersOfTheGuardBandOnOddFrames) {
           ASSERT_TRUE(s.z >= 0 && s.z < 1 << 24) << b.name;
           for (const int c : s.rgba) ASSERT_TRUE(c >= 0 && c <= 255) << b.name;
         }
-        judge_samples(frame, t, std::move(samples), &verdict);
+        judge_samples(frame, t, samples, &verdict);
       }
       if (exact.count(b.name) != 0) {
         EXPECT_EQ(verdict.faults(), 0) << b.name;
@@ -154,7 +154,7 @@ TEST(HardInput, FourAndTwelveSubpixelBits) {
         const spec::Triangle t = triangle(p[0], p[1], p[2]);
         Gathered gathered;
         rasterizer->draw(t, &gathered);
-        judge_samples(kWindow, t, std::move(gathered.samples), &verdict, bits);
+        judge_samples(kWindow, t, gathered.samples, &verdict, bits);
       }
       EXPECT_EQ(verdict.faults(), 0) << name << ' ' << bits;
       EXPECT_GT(verdict.wanted, 20000) << name;

@@ -60,7 +60,7 @@ double mended_red(int size_px, int count) {
     const spec::Triangle t = triangle_in(random, size_px);
     Gathered gathered;
     mended->draw(t, &gathered);
-    judge_samples(square(size_px), t, std::move(gathered.samples), &verdict);
+    judge_samples(square(size_px), t, gathered.samples, &verdict);
   }
   return verdict.color_lsb;
 }

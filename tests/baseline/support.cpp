@@ -3,28 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <tuple>
 
 namespace pineda::test {
 
 using baseline::Baseline;
 using baseline::Sample;
-
-namespace {
-
-exact::Judge judge(const spec::FrameState& frame, const spec::Triangle& t, int subpixel_bits) {
-  exact::Triangle v;
-  for (size_t i = 0; i < 3; ++i) {
-    const auto& attr = t.v[i].attr;
-    v[i] = {t.v[i].x, t.v[i].y, t.v[i].z, {attr.begin(), attr.begin() + 4}};
-  }
-  const auto cull = frame.cull == spec::Cull::kNone   ? exact::Cull::kNone
-                    : frame.cull == spec::Cull::kBack ? exact::Cull::kBack
-                                                      : exact::Cull::kFront;
-  return {v, subpixel_bits, frame.width, frame.height, cull};
-}
-
-}  // namespace
 
 const Baseline& find_baseline(const std::string& name) {
   for (const Baseline& b : baseline::baselines()) {
@@ -41,32 +24,29 @@ std::vector<Sample> samples_of(const std::string& name, const spec::FrameState& 
 }
 
 void judge_samples(const spec::FrameState& frame, const spec::Triangle& t,
-                   std::vector<Sample> samples, Verdict* verdict, int subpixel_bits) {
-  const exact::Judge exact = judge(frame, t, subpixel_bits);
-  const auto place = [](const Sample& s) { return std::tuple(s.y, s.x); };
-  std::stable_sort(samples.begin(), samples.end(),
-                   [&](const Sample& a, const Sample& b) { return place(a) < place(b); });
+                   const std::vector<Sample>& samples, Verdict* verdict, int subpixel_bits) {
+  spec::Design design = spec::kHighTile;
+  design.subpixel_bits = subpixel_bits;
+  const judge::SnappedTruth truth(design, frame, t);
+  judge::Seen seen;
+  seen.begin(truth);
   const int64_t before = verdict->faults();
-  int64_t right = 0;
-  for (size_t i = 0; i < samples.size(); ++i) {
-    const Sample& s = samples[i];
-    if (i > 0 && place(s) == place(samples[i - 1])) {
-      ++verdict->twice;
-    } else if (!exact.covers(s.x, s.y)) {
-      ++verdict->extra;
-    } else {
-      ++right;
-      verdict->depth_ulp = std::max(verdict->depth_ulp, std::abs(exact.depth_error(s.x, s.y, s.z)));
-      for (int a = 0; a < 4; ++a) {
-        const int value = s.rgba[static_cast<size_t>(a)];
-        verdict->color_lsb =
-            std::max(verdict->color_lsb, std::abs(exact.attribute_error(s.x, s.y, a, value)));
-      }
+  for (const Sample& s : samples) {
+    const judge::Found found = seen.draw(s.x, s.y);
+    verdict->twice += found == judge::Found::kTwice ? 1 : 0;
+    verdict->extra += found == judge::Found::kExtra ? 1 : 0;
+    if (found != judge::Found::kRight) continue;
+    judge::Drawn drawn{s.x, s.y, s.z, {}};
+    std::copy(s.rgba.begin(), s.rgba.end(), drawn.attr.begin());
+    const judge::Errors errors = truth.errors(judge::values_of(design), drawn);
+    verdict->depth_ulp = std::max(verdict->depth_ulp, std::abs(errors.depth.units));
+    for (const judge::Error& error : errors.attr) {
+      verdict->color_lsb = std::max(verdict->color_lsb, std::abs(error.units));
     }
   }
-  const int64_t wanted = exact.samples();
+  seen.for_each_missing([&](int, int) { ++verdict->missing; });
+  const int64_t wanted = truth.judge().samples();
   verdict->wanted += wanted;
-  verdict->missing += wanted - right;
   verdict->triangles += wanted > 0 ? 1 : 0;
   verdict->wrong += verdict->faults() != before ? 1 : 0;
 }
@@ -80,7 +60,7 @@ Verdict judge_random(const std::string& name, Shape shape, int count, uint64_t s
     randomize_values(random, &t);
     Gathered gathered;
     rasterizer->draw(t, &gathered);
-    judge_samples(frame_of(shape), t, std::move(gathered.samples), &verdict);
+    judge_samples(frame_of(shape), t, gathered.samples, &verdict);
   }
   return verdict;
 }

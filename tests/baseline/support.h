@@ -49,7 +49,8 @@ struct Verdict {
 
 /// Adds a triangle's samples to the verdict.
 void judge_samples(const spec::FrameState& frame, const spec::Triangle& triangle,
-                   std::vector<baseline::Sample> samples, Verdict* verdict, int subpixel_bits = 8);
+                   const std::vector<baseline::Sample>& samples, Verdict* verdict,
+                   int subpixel_bits = 8);
 
 /// `count` random triangles of a shape through one baseline.
 Verdict judge_random(const std::string& name, Shape shape, int count, uint64_t seed);

@@ -99,9 +99,7 @@ TEST_P(EveryDesign, CoverageIsExactAndDepthKeepsItsBound) {
   int64_t samples = 0;
   for (int n = 0; n < 600; ++n) {
     const spec::Triangle t = triangle_for(random, d);
-    exact::Triangle v;
-    for (size_t i = 0; i < 3; ++i) v[i] = {t.v[i].x, t.v[i].y, t.v[i].z, {}};
-    const exact::Judge exact(v, d.subpixel_bits, frame.width, frame.height, exact::Cull::kNone);
+    const exact::Judge exact = judge::exact_judge(d, frame, t);
     renderer.clear();
     renderer.draw(t);
     for (int y = 0; y < frame.height; ++y) {

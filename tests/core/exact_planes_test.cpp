@@ -13,20 +13,14 @@ namespace {
 const spec::Contract kExact = spec::contract(*spec::find_design("exact"));
 
 struct Fragments {
-  struct Seen {
-    int x, y;
-    uint32_t z;
-    spec::Attributes attr;
-  };
-  std::vector<Seen> seen;
+  std::vector<judge::Drawn> seen;
   void prim(const spec::SetupPrim&) {}
   void stamp(const spec::Stamp&) {}
   void depth(const spec::DepthWrite&) {}
   void color(const spec::ColorWrite&) {}
   void fragment(const spec::Stamp& stamp, const spec::Fragment& f) {
-    for_each_sample(stamp, [&](int x, int y, size_t lane) {
-      seen.push_back({x, y, f.z[lane], f.attr[lane]});
-    });
+    judge::for_each_sample(kContract.design, stamp, f,
+                           [this](const judge::Drawn& drawn) { seen.push_back(drawn); });
   }
 };
 

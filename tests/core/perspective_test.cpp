@@ -5,10 +5,9 @@
 
 #include <cmath>
 
-#include "model/core/frame.h"
+#include "model/judge/drawing.h"
 #include "model/scene/snap.h"
 #include "model/spec/bounds.h"
-#include "studies/judge/truth.h"
 #include "tests/core/support.h"
 
 namespace pineda::test {
@@ -52,34 +51,13 @@ Pair random_pair(const spec::Contract& c, Random& random, Shape shape, double ra
   return pair;
 }
 
-struct Worst {
-  spec::Contract contract;
-  const studies::Truth& truth;
-  bool affine = false;  // judge affine values instead
-  double error = 0;
-  int64_t samples = 0;
-
-  void prim(const spec::SetupPrim&) {}
-  void stamp(const spec::Stamp&) {}
-  void fragment(const spec::Stamp& stamp, const spec::Fragment& fragment) {
-    for_each_sample(stamp, [&](int x, int y, size_t lane) {
-      const int64_t index = truth.find(x, y);
-      ASSERT_GE(index, 0);
-      const exact::Sample& sample = truth.samples()[static_cast<size_t>(index)];
-      for (size_t a = 0; a < 4; ++a) {
-        const double off = truth.attribute(sample, a, !affine).error_of(fragment.attr[lane][a]);
-        error = std::max(error, std::abs(off));
-      }
-      ++samples;
-    });
-  }
-};
-
-/// Largest error over all shapes.
+/// Largest error over all shapes; `affine`: from affine values instead.
 double worst(const spec::Design& design, double ratio, int triangles, bool affine = false) {
   const spec::Contract c = spec::contract(design);
   Random random(91);
-  studies::Truth truth;
+  judge::ScreenTruth truth;
+  judge::Values values = judge::values_of(design);
+  values.perspective = !affine;
   double error = 0;
   int64_t samples = 0;
   for (int n = 0; n < triangles; ++n) {
@@ -87,12 +65,14 @@ double worst(const spec::Design& design, double ratio, int triangles, bool affin
     const spec::FrameState frame = frame_of(shape);
     const Pair pair = random_pair(c, random, shape, ratio);
     truth.judge(
-        exact::ScreenJudge(pair.screen, studies::format_of(design), studies::exact_frame(frame)));
-    Worst sink{c, truth, affine};
-    core::FrameCounters counters;
-    core::draw_triangle(c, frame, {}, pair.snapped, &counters, sink);
-    error = std::max(error, sink.error);
-    samples += sink.samples;
+        exact::ScreenJudge(pair.screen, judge::format_of(design), judge::exact_frame(frame)));
+    judge::for_each_sample(c, frame, pair.snapped, [&](const judge::Drawn& drawn) {
+      ASSERT_NE(truth.find(drawn.x, drawn.y), nullptr);
+      ++samples;
+      for (const judge::Error& e : truth.errors(values, drawn).attr) {
+        error = std::max(error, std::abs(e.units));
+      }
+    });
   }
   EXPECT_GT(samples, 20000);
   return error;

@@ -46,7 +46,7 @@ TEST(RandomCoverageMutant, EdgeOffByOneUnitIsCaught) {
     spec::SetupPrim prim;
     if (core::setup(kContract, kHugeFrame, t, &prim) != core::Drop::kNone) continue;
     prim.edge[static_cast<size_t>(n % 3)].e += n % 2 == 0 ? 1 : -1;
-    caught += coverage_difference(prim, judge(kHugeFrame, t)).empty() ? 0 : 1;
+    caught += coverage_difference(prim, truth(kHugeFrame, t)).empty() ? 0 : 1;
   }
   EXPECT_GT(caught, 5);
 }

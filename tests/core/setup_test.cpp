@@ -180,7 +180,7 @@ TEST(GuardBand, MutantWithEdgesOf32BitsIsCaught) {
   spec::SetupPrim prim;
   ASSERT_EQ(core::setup(kContract, kFrame, t, &prim), Drop::kNone);
   for (auto& edge : prim.edge) edge.e = spec::wrap(edge.e, 32);
-  EXPECT_NE(coverage_difference(prim, judge(kFrame, t)), "");
+  EXPECT_NE(coverage_difference(prim, truth(kFrame, t)), "");
 }
 
 }  // namespace

@@ -1,82 +1,58 @@
 #include "tests/core/support.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace pineda::test {
 
-exact::Judge judge(const spec::FrameState& frame, const spec::Triangle& t) {
-  exact::Triangle v;
-  for (size_t i = 0; i < 3; ++i) {
-    const auto& attr = t.v[i].attr;
-    v[i] = {t.v[i].x, t.v[i].y, t.v[i].z, {attr.begin(), attr.begin() + 4}};
-  }
-  const auto cull = frame.cull == spec::Cull::kNone   ? exact::Cull::kNone
-                    : frame.cull == spec::Cull::kBack ? exact::Cull::kBack
-                                                      : exact::Cull::kFront;
-  return {v, kContract.design.subpixel_bits, frame.width, frame.height, cull};
-}
-
-std::string coverage_difference(const spec::SetupPrim& prim, const exact::Judge& judge) {
-  const auto at = [](int x, int y) { return std::to_string(x) + "," + std::to_string(y); };
-  const int width = prim.x1 - prim.x0 + 1;
-  std::vector<char> hit(static_cast<size_t>(width) * static_cast<size_t>(prim.y1 - prim.y0 + 1));
+std::string coverage_difference(const spec::SetupPrim& prim, const judge::SnappedTruth& truth) {
+  judge::Seen seen;
+  seen.begin(truth);
   std::string difference;
-  int64_t samples = 0;
+  const auto note = [&](const char* what, int x, int y) {
+    if (difference.empty()) difference = fmt::format("{}: {},{}", what, x, y);
+  };
   core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
     for_each_sample(stamp, [&](int x, int y, size_t) {
-      ++samples;
-      if (x < prim.x0 || x > prim.x1 || y < prim.y0 || y > prim.y1) {
-        difference = "outside the box: " + at(x, y);
-      } else if (char& h = hit[static_cast<size_t>((y - prim.y0) * width + x - prim.x0)]; h != 0) {
-        difference = "sent twice: " + at(x, y);
-      } else {
-        h = 1;
-      }
+      const judge::Found found = seen.draw(x, y);
+      if (found == judge::Found::kExtra) note("extra", x, y);
+      if (found == judge::Found::kTwice) note("sent twice", x, y);
+      if (x < prim.x0 || x > prim.x1 || y < prim.y0 || y > prim.y1) note("outside the box", x, y);
     });
   });
-  if (!difference.empty()) return difference;
-  for (int y = prim.y0; y <= prim.y1; ++y) {
-    const exact::Span span = judge.span(y);
-    for (int x = prim.x0; x <= prim.x1; ++x) {
-      const bool wanted = span.first <= x && x <= span.last;
-      const bool got = hit[static_cast<size_t>((y - prim.y0) * width + x - prim.x0)] != 0;
-      if (got != wanted) return (wanted ? "missing: " : "extra: ") + at(x, y);
-    }
-  }
-  // The box held all that was wanted.
-  if (samples == judge.samples()) return {};
-  return "outside the box: " + std::to_string(judge.samples() - samples) + " samples missing";
+  seen.for_each_missing([&](int x, int y) { note("missing", x, y); });
+  return difference;
 }
 
 std::string coverage_difference(const spec::FrameState& frame, const spec::Triangle& t) {
-  const exact::Judge exact = judge(frame, t);
+  const judge::SnappedTruth truth(kContract.design, frame, t);
   spec::SetupPrim prim;
   const core::Drop drop = core::setup(kContract, frame, t, &prim);
   const bool culled = drop == core::Drop::kZeroArea || drop == core::Drop::kFacing;
-  if (culled != exact.culled()) return culled ? "culled" : "not culled";
-  if (drop == core::Drop::kNone) return coverage_difference(prim, exact);
-  return exact.samples() == 0 ? "" : std::string("dropped: ") + core::drop_name(drop);
+  if (culled != truth.judge().culled()) return culled ? "culled" : "not culled";
+  if (drop == core::Drop::kNone) return coverage_difference(prim, truth);
+  return truth.judge().samples() == 0 ? "" : std::string("dropped: ") + core::drop_name(drop);
 }
 
 void measure(const spec::FrameState& frame, const spec::Triangle& t, Errors* errors, int stride) {
   spec::SetupPrim prim;
   if (core::setup(kContract, frame, t, &prim) != core::Drop::kNone) return;
-  const exact::Judge exact = judge(frame, t);
+  const judge::SnappedTruth truth(kContract.design, frame, t);
+  const judge::Values values = judge::values_of(kContract.design);
   int turn = 0;
   core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
     if (turn++ % stride != 0) return;
     spec::Fragment fragment;
     core::interpolate(kContract, stamp, &fragment);
-    for_each_sample(stamp, [&](int x, int y, size_t lane) {
+    judge::for_each_sample(kContract.design, stamp, fragment, [&](const judge::Drawn& drawn) {
       ++errors->samples;
-      errors->depth_codes =
-          std::max(errors->depth_codes, std::abs(exact.depth_error(x, y, fragment.z[lane])));
-      for (int a = 0; a < kContract.design.attributes; ++a) {
-        const double error =
-            exact.attribute_error(x, y, a, fragment.attr[lane][static_cast<size_t>(a)]);
-        errors->attr_lsb = std::max(errors->attr_lsb, std::abs(error));
+      const judge::Errors e = truth.errors(values, drawn);
+      errors->depth_codes = std::max(errors->depth_codes, std::abs(e.depth.units));
+      for (const judge::Error& attribute : e.attr) {
+        errors->attr_lsb = std::max(errors->attr_lsb, std::abs(attribute.units));
       }
     });
   });

@@ -8,7 +8,7 @@
 #include "model/core/interp.h"
 #include "model/core/setup.h"
 #include "model/core/traversal.h"
-#include "model/exact/exact.h"
+#include "model/judge/comparison.h"
 #include "studies/numerics/random_triangles.h"
 
 namespace pineda::test {
@@ -36,22 +36,22 @@ using studies::Shape;
 using studies::triangle;
 using studies::unit_lattice;
 
-exact::Judge judge(const spec::FrameState& frame, const spec::Triangle& t);
+inline exact::Judge judge(const spec::FrameState& frame, const spec::Triangle& t) {
+  return judge::exact_judge(kContract.design, frame, t);
+}
+inline judge::SnappedTruth truth(const spec::FrameState& frame, const spec::Triangle& t) {
+  return {kContract.design, frame, t};
+}
 
 /// Calls visit(x, y, lane) for each covered sample of a stamp.
 template <class Visitor>
 void for_each_sample(const spec::Stamp& stamp, Visitor&& visit) {
-  const int w_log2 = kContract.design.stamp_width_log2;
-  const int h_log2 = kContract.design.stamp_height_log2;
-  for (int lane = 0; lane < kContract.width.lanes; ++lane) {
-    if ((stamp.mask >> lane & 1) == 0) continue;
-    visit((stamp.x << w_log2) + (lane & ((1 << w_log2) - 1)),
-          (stamp.y << h_log2) + (lane >> w_log2), static_cast<size_t>(lane));
-  }
+  judge::for_each_lane(kContract.design, stamp, visit);
 }
 
-/// Empty when traversal covers just the judge's samples, each once, else the first difference.
-std::string coverage_difference(const spec::SetupPrim& prim, const exact::Judge& judge);
+/// Empty when traversal covers just the triangle's samples, each once, and within the box, else the
+/// first difference.
+std::string coverage_difference(const spec::SetupPrim& prim, const judge::SnappedTruth& truth);
 
 /// The same for a triangle, dropped ones included.
 std::string coverage_difference(const spec::FrameState& frame, const spec::Triangle& t);

@@ -146,7 +146,7 @@ TEST(TopLeftRule, MutantShiftFirstLosesSamplesBesideAnEdge) {
                {4 * kPx, 4 * kPx});
   spec::SetupPrim prim;
   ASSERT_EQ(core::setup(kContract, kFrame, t, &prim), core::Drop::kNone);
-  const exact::Judge exact = judge(kFrame, t);
+  const judge::SnappedTruth exact = truth(kFrame, t);
   ASSERT_EQ(coverage_difference(with_rule(prim, t, Rule::kTopLeft), exact), "");
   EXPECT_NE(coverage_difference(with_rule(prim, t, Rule::kShiftFirst), exact), "");
 }

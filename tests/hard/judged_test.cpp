@@ -5,6 +5,7 @@
 #include "model/scene/snap.h"
 #include "model/spec/bounds.h"
 #include "studies/judge/scorer.h"
+#include "studies/judge/stated.h"
 #include "tests/hard/support.h"
 
 namespace pineda::hard {
@@ -15,15 +16,10 @@ studies::Subject judged(const spec::Design& design, const scene::HardCase& hard_
   const spec::Contract contract = spec::contract(design);
   scene::SnappedSource source(contract, std::make_unique<scene::ListReader>(hard_case.make()));
   studies::DesignScorer scorer(design, hard_case.frame, false);
-  studies::Truth truth;
+  judge::ScreenTruth truth;
   for (spec::Triangle t; source.next(&t);) {
-    exact::ScreenTriangle stated;
-    for (size_t i = 0; i < 3; ++i) {
-      const scene::ScreenVertex& v = source.screen().v[i];
-      stated[i] = {v.x, v.y, v.z, v.w, {v.rgba[0], v.rgba[1], v.rgba[2], v.rgba[3]}};
-    }
-    truth.judge(exact::ScreenJudge(stated, studies::format_of(design),
-                                   studies::exact_frame(hard_case.frame)));
+    truth.judge(exact::ScreenJudge(studies::stated(source.screen()), judge::format_of(design),
+                                   judge::exact_frame(hard_case.frame)));
     scorer.score(t, truth);
   }
   return scorer.subject();

@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/judge/drawing.h"
+#include "model/judge/truth.h"
 #include "model/scene/snap.h"
 #include "model/spec/bounds.h"
-#include "studies/judge/truth.h"
+#include "studies/judge/stated.h"
 #include "tests/hard/support.h"
 
 namespace pineda::hard {
@@ -16,48 +18,24 @@ struct Worst {
   uint64_t samples = 0;
 };
 
-struct ColorSink {
-  const spec::Design& design;
-  const studies::Truth& truth;
-  bool perspective;
-  Worst* worst;
-  void prim(const spec::SetupPrim&) {}
-  void stamp(const spec::Stamp&) {}
-  void fragment(const spec::Stamp& stamp, const spec::Fragment& fragment) {
-    const int width = 1 << design.stamp_width_log2;
-    for (uint32_t mask = stamp.mask; mask != 0; mask &= mask - 1) {
-      const int lane = __builtin_ctz(mask);
-      const int64_t at = truth.find(stamp.x * width + lane % width,
-                                    (stamp.y << design.stamp_height_log2) + lane / width);
-      ASSERT_GE(at, 0);
-      ++worst->samples;
-      for (size_t i = 0; i < 4; ++i) {
-        const auto& value =
-            truth.attribute(truth.samples()[static_cast<size_t>(at)], i, perspective);
-        const double error = value.error_of(fragment.attr[static_cast<size_t>(lane)][i]);
-        worst->lsb = std::max(worst->lsb, std::abs(error));
-      }
-    }
-  }
-};
-
 Worst worst_color(const spec::Design& design, const std::string& name, bool perspective) {
   const spec::Contract contract = spec::contract(design);
   const scene::HardCase& c = hard_case(name);
   scene::SnappedSource source(contract, std::make_unique<scene::ListReader>(c.make()));
   Worst worst;
-  studies::Truth truth;
-  core::FrameCounters counters;
+  judge::ScreenTruth truth;
+  judge::Values values = judge::values_of(design);
+  values.perspective = perspective;
   for (spec::Triangle t; source.next(&t);) {
-    exact::ScreenTriangle stated;
-    for (size_t i = 0; i < 3; ++i) {
-      const scene::ScreenVertex& v = source.screen().v[i];
-      stated[i] = {v.x, v.y, v.z, v.w, {v.rgba[0], v.rgba[1], v.rgba[2], v.rgba[3]}};
-    }
-    truth.judge(
-        exact::ScreenJudge(stated, studies::format_of(design), studies::exact_frame(c.frame)));
-    core::draw_triangle(contract, c.frame, {}, t, &counters,
-                        ColorSink{design, truth, perspective, &worst});
+    truth.judge(exact::ScreenJudge(studies::stated(source.screen()), judge::format_of(design),
+                                   judge::exact_frame(c.frame)));
+    judge::for_each_sample(contract, c.frame, t, [&](const judge::Drawn& drawn) {
+      ASSERT_NE(truth.find(drawn.x, drawn.y), nullptr);
+      ++worst.samples;
+      for (const judge::Error& error : truth.errors(values, drawn).attr) {
+        worst.lsb = std::max(worst.lsb, std::abs(error.units));
+      }
+    });
   }
   return worst;
 }

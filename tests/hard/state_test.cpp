@@ -5,7 +5,6 @@
 #include <set>
 
 #include "model/spec/bounds.h"
-#include "studies/judge/truth.h"
 #include "tests/core/support.h"
 #include "tests/hard/support.h"
 

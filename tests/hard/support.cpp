@@ -29,26 +29,6 @@ Snapped snapped(const scene::HardCase& hard_case, const spec::Contract& contract
 
 Snapped snapped(const std::string& name) { return snapped(hard_case(name), kContract); }
 
-exact::Judge judge(const spec::Contract& contract, const spec::FrameState& frame,
-                   const spec::Triangle& triangle) {
-  exact::Triangle v;
-  for (size_t i = 0; i < 3; ++i) {
-    const spec::Vertex& from = triangle.v[i];
-    v[i] = {from.x,
-            from.y,
-            from.z,
-            {from.attr.begin(), from.attr.begin() + contract.design.attributes}};
-  }
-  static constexpr exact::Cull kCull[] = {exact::Cull::kNone, exact::Cull::kBack,
-                                          exact::Cull::kFront};
-  exact::Frame exact{frame.width, frame.height, kCull[static_cast<int>(frame.cull)]};
-  exact.x0 = frame.scissor_x0;
-  exact.y0 = frame.scissor_y0;
-  exact.x1 = frame.scissor_x1;
-  exact.y1 = frame.scissor_y1;
-  return {v, contract.design.subpixel_bits, exact};
-}
-
 std::vector<uint16_t> judged_hits(const spec::Contract& contract, const Snapped& scene) {
   const auto width = static_cast<size_t>(scene.frame.width);
   std::vector<uint16_t> hits(width * static_cast<size_t>(scene.frame.height));

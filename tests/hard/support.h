@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/core/frame.h"
-#include "model/exact/exact.h"
+#include "model/judge/exact_terms.h"
 #include "model/scene/hard/cases.h"
 
 namespace pineda::hard {
@@ -25,9 +25,10 @@ Snapped snapped(const scene::HardCase& hard_case, const spec::Contract& contract
 /// The same at the default design.
 Snapped snapped(const std::string& name);
 
-/// Of the frame's state, all that decides coverage.
-exact::Judge judge(const spec::Contract& contract, const spec::FrameState& frame,
-                   const spec::Triangle& triangle);
+inline exact::Judge judge(const spec::Contract& contract, const spec::FrameState& frame,
+                          const spec::Triangle& triangle) {
+  return judge::exact_judge(contract.design, frame, triangle);
+}
 /// Triangles that cover each sample, by the judge alone.
 std::vector<uint16_t> judged_hits(const spec::Contract& contract, const Snapped& scene);
 

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/exact/exact.h"
+#include "model/judge/exact_terms.h"
 #include "model/scene/snap.h"
 #include "model/spec/random.h"
+#include "studies/judge/stated.h"
 #include "tests/scene/mesh_source.h"
 #include "tests/scene/scratch.h"
 
@@ -124,9 +125,7 @@ TEST(Clip, EverySampleOfAClippedPlainIsHitExactlyOnce) {
   SnappedSource source(kContract, mesh_reader(mesh, view, kWidth, kHeight));
   std::vector<int> hits(kWidth * kHeight);
   for (spec::Triangle t; source.next(&t);) {
-    exact::Triangle judged;
-    for (size_t i = 0; i < 3; ++i) judged[i] = {t.v[i].x, t.v[i].y, t.v[i].z, {}};
-    const exact::Judge judge(judged, 8, kWidth, kHeight, exact::Cull::kNone);
+    const exact::Judge judge = judge::exact_judge(kContract.design, {kWidth, kHeight}, t);
     for (int y = 0; y < kHeight; ++y) {
       const auto span = judge.span(y);
       for (int x = span.first; x <= span.last; ++x) ++hits[static_cast<size_t>(y * kWidth + x)];
@@ -191,13 +190,8 @@ TEST(MeshReader, WOfClippedPiecesGivesTheColoursOfTheWholeTriangle) {
   int samples = 0;
   double worst = 0, worst_affine = 0;
   for (ScreenTriangle t; reader->read(&t, &counters);) {
-    exact::ScreenTriangle stated;
-    for (size_t i = 0; i < 3; ++i) {
-      const ScreenVertex& v = t.v[i];
-      EXPECT_GT(v.w, 0);
-      stated[i] = {v.x, v.y, v.z, v.w, {v.rgba[0], v.rgba[1], v.rgba[2], v.rgba[3]}};
-    }
-    const exact::ScreenJudge judge(stated, {}, {kSize, kSize});
+    for (const ScreenVertex& v : t.v) EXPECT_GT(v.w, 0);
+    const exact::ScreenJudge judge(studies::stated(t), {}, {kSize, kSize});
     std::vector<exact::Sample> row;
     for (int y = judge.rows().first; y <= judge.rows().last; ++y) judge.row(y, true, &row);
     for (const exact::Sample& s : row) {

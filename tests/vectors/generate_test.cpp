@@ -10,9 +10,11 @@
 namespace pineda::vectors {
 namespace {
 
+const spec::ErrorBounds kBounds = spec::error_bounds(spec::kHighTile);
+
 template <class Case>
 std::string generated(uint64_t seed) {
-  return write_text(generate<Case>(kContract, 1, seed, Bounds(), nullptr));
+  return write_text(generate<Case>(kContract, 1, seed, kBounds, nullptr));
 }
 
 TEST(Generator, SameSeedGivesTheSameBytesAndAnotherSeedDoesNot) {
@@ -22,7 +24,7 @@ TEST(Generator, SameSeedGivesTheSameBytesAndAnotherSeedDoesNot) {
 
 TEST(Generator, TallyAccountsForEveryScene) {
   Tally tally;
-  generate<TraversalCase>(kContract, 1, 3, Bounds(), &tally);
+  generate<TraversalCase>(kContract, 1, 3, kBounds, &tally);
   EXPECT_EQ(tally.cases + tally.empty + tally.large, scenes(kContract, 1, 3).size());
 }
 
@@ -53,14 +55,14 @@ TEST(Generator, EveryVertexLiesInsideTheFormats) {
 
 TEST(Misjudged, SceneWithinTheBoundsIsBorneOut) {
   const Scene scene{"sample.0", sample_frame(), sample_triangles()};
-  EXPECT_EQ(misjudged(kContract, scene, Bounds()), std::nullopt);
+  EXPECT_EQ(misjudged(kContract, scene, kBounds), std::nullopt);
 }
 
 TEST(Misjudged, BoundBelowTheLastRoundingIsRefused) {
-  Bounds depth;
-  depth.depth_codes = .4;
+  spec::ErrorBounds depth = kBounds;
+  depth.depth_ulp = .4;
   EXPECT_THROW(generate<SetupCase>(kContract, 1, 1, depth, nullptr), Misjudged);
-  Bounds attribute;
+  spec::ErrorBounds attribute = kBounds;
   attribute.attribute_lsb = .4;
   EXPECT_THROW(generate<FrameCase>(kContract, 1, 1, attribute, nullptr), Misjudged);
 }
@@ -70,7 +72,7 @@ TEST(Misjudged, WrongCoverageIsSeen) {
   spec::Contract narrow = kContract;
   narrow.width.tile_edge = 12;
   const Scene scene{"sample.0", sample_frame(), sample_triangles()};
-  const std::string text = misjudged(narrow, scene, Bounds()).value_or("none");
+  const std::string text = misjudged(narrow, scene, kBounds).value_or("none");
   EXPECT_EQ(text.find("scene sample.0, triangle "), 0u) << text;
   EXPECT_NE(text.find("sample"), std::string::npos) << text;
 }
@@ -81,7 +83,7 @@ TEST(Misjudged, WrongDepthIsSeen) {
   narrow.width.depth_plane -= 10;
   Scene scene{"deep.0", sample_frame(), sample_triangles()};
   for (auto& v : scene.triangles[0].v) v.z = 0xfffff000;
-  const std::string text = misjudged(narrow, scene, Bounds()).value_or("none");
+  const std::string text = misjudged(narrow, scene, kBounds).value_or("none");
   EXPECT_NE(text.find("codes off"), std::string::npos) << text;
 }
 

@@ -102,8 +102,8 @@ template <class Case>
 void add_raw(uint64_t, File<Case>*) {}
 
 template <class Case>
-Tally generate_one(const Contract& contract, int level, uint64_t seed, const Bounds& bounds,
-                   const std::string& path) {
+Tally generate_one(const Contract& contract, int level, uint64_t seed,
+                   const spec::ErrorBounds& bounds, const std::string& path) {
   Tally tally;
   write(path, generate<Case>(contract, level, seed, bounds, &tally));
   return tally;
@@ -112,8 +112,8 @@ Tally generate_one(const Contract& contract, int level, uint64_t seed, const Bou
 }  // namespace
 
 template <class Case>
-File<Case> generate(const Contract& contract, int level, uint64_t seed, const Bounds& bounds,
-                    Tally* tally) {
+File<Case> generate(const Contract& contract, int level, uint64_t seed,
+                    const spec::ErrorBounds& bounds, Tally* tally) {
   File<Case> file{contract, level, seed, {}};
   Tally count;
   for (const Scene& scene : scenes(contract, level, seed)) {
@@ -131,13 +131,15 @@ File<Case> generate(const Contract& contract, int level, uint64_t seed, const Bo
   return file;
 }
 
-template File<SetupCase> generate(const Contract&, int, uint64_t, const Bounds&, Tally*);
-template File<TraversalCase> generate(const Contract&, int, uint64_t, const Bounds&, Tally*);
-template File<InterpZtestCase> generate(const Contract&, int, uint64_t, const Bounds&, Tally*);
-template File<FrameCase> generate(const Contract&, int, uint64_t, const Bounds&, Tally*);
+template File<SetupCase> generate(const Contract&, int, uint64_t, const spec::ErrorBounds&, Tally*);
+template File<TraversalCase> generate(const Contract&, int, uint64_t, const spec::ErrorBounds&,
+                                      Tally*);
+template File<InterpZtestCase> generate(const Contract&, int, uint64_t, const spec::ErrorBounds&,
+                                        Tally*);
+template File<FrameCase> generate(const Contract&, int, uint64_t, const spec::ErrorBounds&, Tally*);
 
 Tally generate_file(Unit unit, const Contract& contract, int level, uint64_t seed,
-                    const Bounds& bounds, const std::string& path) {
+                    const spec::ErrorBounds& bounds, const std::string& path) {
   switch (unit) {
     case Unit::kSetup:
       return generate_one<SetupCase>(contract, level, seed, bounds, path);

@@ -24,11 +24,11 @@ struct Tally {
 
 /// The cases of one unit. Throws Misjudged. `tally` may be nullptr.
 template <class Case>
-File<Case> generate(const spec::Contract& contract, int level, uint64_t seed, const Bounds& bounds,
-                    Tally* tally);
+File<Case> generate(const spec::Contract& contract, int level, uint64_t seed,
+                    const spec::ErrorBounds& bounds, Tally* tally);
 
 /// The same, written to `path`. Throws Misjudged or Refused.
 Tally generate_file(Unit unit, const spec::Contract& contract, int level, uint64_t seed,
-                    const Bounds& bounds, const std::string& path);
+                    const spec::ErrorBounds& bounds, const std::string& path);
 
 }  // namespace pineda::vectors

@@ -59,7 +59,7 @@ void run(int argc, char** argv) {
   if (design == nullptr) throw UsageError("unknown design '" + options.at("--design") + "'");
   const vectors::Tally tally = vectors::generate_file(
       *unit, spec::contract(*design), static_cast<int>(level),
-      number("--seed", options.at("--seed")), vectors::Bounds(), options.at("-o"));
+      number("--seed", options.at("--seed")), spec::error_bounds(*design), options.at("-o"));
   fmt::print(stderr,
              "{}: {} cases; of the scenes, {} reach the unit with nothing, {} are too large\n",
              options.at("-o"), tally.cases, tally.empty, tally.large);

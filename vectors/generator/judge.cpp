@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/core/frame.h"
-#include "model/exact/exact.h"
+#include "model/judge/comparison.h"
 #include "vectors/grammar/cases.h"
 
 namespace pineda::vectors {
@@ -18,32 +17,17 @@ using Text = std::optional<std::string>;
 constexpr int64_t kMaxSamples = 4096;
 constexpr int kRows = 32;
 
-exact::Judge judge_of(const Contract& c, const spec::FrameState& frame, const spec::Triangle& t) {
-  exact::Triangle triangle;
-  for (size_t i = 0; i < 3; ++i) {
-    const spec::Vertex& v = t.v[i];
-    // Flat shading: the first vertex's attributes everywhere.
-    const auto& attr = (frame.shade == spec::Shade::kFlat ? t.v[0] : v).attr;
-    triangle[i] = {v.x, v.y, v.z, {attr.begin(), attr.begin() + c.design.attributes}};
-  }
-  exact::Frame exact{frame.width, frame.height, static_cast<exact::Cull>(frame.cull)};
-  exact.x0 = frame.scissor_x0;
-  exact.y0 = frame.scissor_y0;
-  exact.x1 = frame.scissor_x1;
-  exact.y1 = frame.scissor_y1;
-  return exact::Judge(triangle, c.design.subpixel_bits, exact);
-}
-
 // One triangle before its judge.
 class Hearing {
  public:
   Hearing(const Contract& c, const spec::FrameState& frame, const spec::Triangle& triangle,
-          const Bounds& bounds)
+          const spec::ErrorBounds& bounds)
       : c_(c),
         frame_(frame),
         triangle_(triangle),
         bounds_(bounds),
-        judge_(judge_of(c, frame, triangle)) {
+        truth_(c.design, frame, triangle),
+        judge_(truth_.judge()) {
     drop_ = core::setup(c, frame, triangle, &prim_);
   }
 
@@ -126,90 +110,61 @@ class Hearing {
           spec::round_half_up(spec::wrap(sum, bits), c_.design.gradient_fraction_bits), 0,
           (int64_t{1} << out_bits) - 1);
     };
-    std::array<int64_t, spec::kMaxAttributes> attr{};
-    for (size_t a = 0; a < static_cast<size_t>(c_.design.attributes); ++a) {
-      attr[a] = value(prim_.planes.attr[a], c_.width.attr_plane, c_.design.attribute_bits);
+    judge::Drawn drawn{x, y, 0, {}};
+    if (c_.design.depth_test) {
+      drawn.z = value(prim_.planes.z, c_.width.depth_plane, c_.design.depth_bits);
     }
-    const int64_t z = c_.design.depth_test
-                          ? value(prim_.planes.z, c_.width.depth_plane, c_.design.depth_bits)
-                          : 0;
-    return values(x, y, z, 0, attr);
+    const auto smooth = static_cast<size_t>(c_.design.attributes);
+    for (size_t a = 0; a < smooth; ++a) {
+      drawn.attr[a] = static_cast<int32_t>(
+          value(prim_.planes.attr[a], c_.width.attr_plane, c_.design.attribute_bits));
+    }
+    const size_t channels = static_cast<size_t>(spec::channels(c_.design));
+    for (size_t a = smooth; a < channels; ++a) drawn.attr[a] = prim_.planes.flat[a - smooth];
+    const judge::Values values = judge::values_of(c_.design);
+    const judge::Errors errors = truth_.errors(values, drawn);
+    const auto beyond = judge::first_beyond(values, bounds_, errors);
+    return beyond ? Text(judge::text_of(*beyond, errors, drawn)) : std::nullopt;
   }
 
-  // `bias` is the one that setup found, in codes: whether it is right, tests/core says.
-  template <class Attributes>
-  Text values(int x, int y, int64_t z, double bias, const Attributes& attr) const {
-    const double depth = c_.design.depth_test ? judge_.depth_error(x, y, z) - bias : 0;
-    const bool clamped = bias > 0 ? z == (int64_t{1} << c_.design.depth_bits) - 1 && depth < 0
-                                  : bias < 0 && z == 0 && depth > 0;
-    if (std::fabs(depth) > bounds_.depth_codes && !clamped) {
-      return fmt::format("depth at ({}, {}) is {} codes off", x, y, depth);
-    }
-    for (int a = 0; a < c_.design.attributes; ++a) {
-      const double error = c_.design.perspective
-                               ? perspective_error(x, y, a, attr[static_cast<size_t>(a)])
-                               : judge_.attribute_error(x, y, a, attr[static_cast<size_t>(a)]);
-      if (std::fabs(error) > bounds_.attribute_lsb) {
-        return fmt::format("attribute {} at ({}, {}) is {} LSB off", a, x, y, error);
-      }
-    }
-    return std::nullopt;
-  }
-
-  // Against weights in exact integers, times 1/w as the vertices have it; then in long doubles.
-  double perspective_error(int x, int y, int attribute, int64_t value) const {
-    const auto weights = judge_.weights(x, y);
-    long double sum = 0;
-    long double total = 0;
-    for (size_t i = 0; i < 3; ++i) {
-      const spec::Vertex& v = triangle_.v[i];
-      const long double weight =
-          std::ldexp(static_cast<long double>(weights[i]) * v.inverse_w, -v.inverse_w_shift);
-      total += weight;
-      sum += weight * judge_.vertices()[i].attr[static_cast<size_t>(attribute)];
-    }
-    return static_cast<double>(static_cast<long double>(value) - sum / total);
-  }
-
-  // Every sample that traversal sends, and that it sends as many as there are, each once.
+  // Every sample that traversal sends, and that it sends as many as there are, each once. Of the
+  // bias, tests/core say whether it is right.
   Text stamps() const {
-    int64_t samples = 0;
+    const judge::SnappedTruth truth(
+        c_.design, frame_, triangle_,
+        std::ldexp(static_cast<double>(prim_.planes.z_bias), -spec::kBiasFractionBits));
+    judge::Verdict verdict;
+    judge::Comparison comparison(judge::values_of(c_.design), &verdict);
+    comparison.begin(truth, bounds_, triangle_.id);
     std::vector<int64_t> seen;
     for (const spec::Stamp& stamp : run_model(c_, TraversalCase{"", frame_, {prim_}, {}}).out) {
       seen.push_back((int64_t{stamp.y} << 32) + stamp.x);
       spec::Fragment fragment;
       core::interpolate(c_, stamp, &fragment);
-      for (int lane = 0; lane < c_.width.lanes; ++lane) {
-        if ((stamp.mask >> lane & 1) == 0) continue;
-        const int w_log2 = c_.design.stamp_width_log2;
-        const int x = (stamp.x << w_log2) + (lane & ((1 << w_log2) - 1));
-        const int y = (stamp.y << c_.design.stamp_height_log2) + (lane >> w_log2);
-        if (!judge_.covers(x, y)) return fmt::format("sample ({}, {}) is not covered", x, y);
-        ++samples;
-        const auto l = static_cast<size_t>(lane);
-        const double bias =
-            std::ldexp(static_cast<double>(stamp.planes.z_bias), -spec::kBiasFractionBits);
-        if (const Text text = values(x, y, fragment.z[l], bias, fragment.attr[l])) return text;
-      }
+      judge::for_each_sample(c_.design, stamp, fragment,
+                             [&](const judge::Drawn& drawn) { comparison.sample(drawn); });
     }
+    comparison.end();
+    if (verdict.first) return verdict.first->what;
     std::sort(seen.begin(), seen.end());
     if (std::adjacent_find(seen.begin(), seen.end()) != seen.end()) return "a stamp is sent twice";
-    if (samples == judge_.samples()) return std::nullopt;
-    return fmt::format("{} samples are sent of {}", samples, judge_.samples());
+    return std::nullopt;
   }
 
   const Contract& c_;
   spec::FrameState frame_;
   spec::Triangle triangle_;
-  Bounds bounds_;
-  exact::Judge judge_;
+  spec::ErrorBounds bounds_;
+  judge::SnappedTruth truth_;  // without a bias
+  const exact::Judge& judge_;
   spec::SetupPrim prim_;
   core::Drop drop_;
 };
 
 }  // namespace
 
-std::optional<std::string> misjudged(const Contract& c, const Scene& scene, const Bounds& bounds) {
+std::optional<std::string> misjudged(const Contract& c, const Scene& scene,
+                                     const spec::ErrorBounds& bounds) {
   for (size_t i = 0; i < scene.triangles.size(); ++i) {
     const Hearing hearing(c, scene.frame, scene.triangles[i], bounds);
     if (const Text text = hearing.verdict()) {

@@ -187,13 +187,15 @@ TEST(CountSamples, StopsBeyondTheLimit) {
 TEST(Scorer, CountsASampleThatIsHitTwice) {
   const std::array<Point, 3> p{{{0, 0}, {8 * 256, 0}, {0, 8 * 256}}};
   const SceneTriangle t = scene_triangle(p, {.5f, .5f, .5f}, 7);
-  Truth truth;
-  truth.judge(exact::ScreenJudge(t.screen, format_of(spec::kHighTile), exact_frame(kFrame)));
+  judge::ScreenTruth truth;
+  truth.judge(
+      exact::ScreenJudge(t.screen, judge::format_of(spec::kHighTile), judge::exact_frame(kFrame)));
   Subject result;
   Scorer scorer(&result, kFrame, spec::kHighTile, false);
   scorer.begin(truth);
   const exact::Sample& first = truth.samples().front();
-  for (int i = 0; i < 2; ++i) scorer.sample({first.x, first.y, first.z.nearest, {7, 17, 200, 255}});
+  const judge::Drawn drawn{first.x, first.y, first.z.nearest, {7, 17, 200, 255}};
+  for (int i = 0; i < 2; ++i) scorer.sample(drawn);
   scorer.end();
   EXPECT_EQ(result.extra, 1u);
   EXPECT_EQ(result.missing, truth.samples().size() - 1);

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "model/judge/truth.h"
 #include "studies/judge/front_end.h"
-#include "studies/judge/truth.h"
 #include "tests/studies/error/shot.h"
 #include "tests/studies/judge/closed_meshes.h"
 
@@ -71,9 +71,9 @@ TEST(MeshJudge, SeesAGuardBandThatIsAPixelTooNarrow) {
   narrow.scissor_x1 = 255;
   const auto pieces = pieces_of(shot, seen);
   MeshJudge judge(seen, spec::contract(shot.design), shot.frame);
-  Truth truth;
+  judge::ScreenTruth truth;
   for (const SceneTriangle& t : pieces) {
-    truth.judge({t.screen, format_of(shot.design), exact_frame(narrow)});
+    truth.judge({t.screen, judge::format_of(shot.design), judge::exact_frame(narrow)});
     for (const auto& s : truth.samples()) {
       judge.hit({s.x, s.y, t.snapped.id, static_cast<uint32_t>(s.z.nearest), {1, 2, 3, 4}});
     }

@@ -6,7 +6,6 @@
 #include <iostream>
 
 #include "studies/judge/mesh_judge.h"
-#include "studies/judge/truth.h"
 #include "tests/studies/error/shot.h"
 #include "tests/studies/judge/closed_meshes.h"
 
@@ -70,9 +69,9 @@ TEST(MeshJudge, SamplesOnADiagonalOfAPolygonMayBeHitByBothOfItsTrianglesAndNoOth
   ASSERT_EQ(pieces.size(), 2u);
   const auto judge_with = [&](int x, int y) {  // a sample hit once more
     MeshJudge judge(seen, spec::contract(shot.design), shot.frame);
-    Truth truth;
+    judge::ScreenTruth truth;
     for (const SceneTriangle& piece : pieces) {
-      truth.judge({piece.screen, format_of(shot.design), exact_frame(shot.frame)});
+      truth.judge({piece.screen, judge::format_of(shot.design), judge::exact_frame(shot.frame)});
       for (const auto& s : truth.samples()) {
         const MeshHit hit{
             s.x, s.y, piece.snapped.id, static_cast<uint32_t>(s.z.nearest), {50, 100, 150, 255}};

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/judge/visible_frame.h"
 #include "model/spec/clear_depth.h"
 #include "studies/numerics/random_triangles.h"
 #include "tests/studies/small_scenes.h"
@@ -79,7 +80,7 @@ TEST(SceneJudge, EachDesignClearsToItsOwnCode) {
         spec::Design d = spec::kHighTile;
         d.depth_bits = bits;
         EXPECT_EQ(judged(scene, d).other_winner, 0u) << z << ", " << bits << " bits";
-        EXPECT_EQ(VisibleFrame(d, frame).z(0), spec::depth_code(z, bits));
+        EXPECT_EQ(judge::VisibleFrame(d, frame).z(0), spec::depth_code(z, bits));
       }
     }
   }

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/core/frame.h"
+#include "model/judge/drawing.h"
+#include "model/judge/exact_terms.h"
 #include "model/spec/bounds.h"
 #include "model/spec/design_file.h"
-#include "studies/judge/truth.h"
 #include "studies/needs/shrink.h"
 #include "studies/numerics/design_points.h"
 #include "tests/studies/small_scenes.h"
@@ -22,28 +22,6 @@ const Need& need(const Needs& needs, const std::string& name) {
                        [&](const Need& n) { return n.parameter == name; });
 }
 
-/// Affine errors of a design on a scene that was opened for it: sample by sample, no Truth.
-struct Errors {
-  const spec::Contract& contract;
-  const exact::Judge* judge = nullptr;
-  double depth_ulp = 0;
-  int64_t covered = 0;
-  void prim(const spec::SetupPrim&) {}
-  void stamp(const spec::Stamp&) {}
-  void fragment(const spec::Stamp& stamp, const spec::Fragment& fragment) {
-    const spec::Design& d = contract.design;
-    for (int lane = 0; lane < contract.width.lanes; ++lane) {
-      if ((stamp.mask >> lane & 1) == 0) continue;
-      const int x = (stamp.x << d.stamp_width_log2) + lane % (1 << d.stamp_width_log2);
-      const int y = (stamp.y << d.stamp_height_log2) + (lane >> d.stamp_width_log2);
-      ASSERT_TRUE(judge->covers(x, y));
-      ++covered;
-      const int64_t z = fragment.z[static_cast<size_t>(lane)];
-      depth_ulp = std::max(depth_ulp, std::abs(judge->depth_error(x, y, z)));
-    }
-  }
-};
-
 TEST(Needs, TeapotKeepsFewerBitsInAtLeastFourParametersAndHolds) {
   const scene::Scene scene = teapot(320, 240);
   const Needs needs = find_needs(scene, {});
@@ -55,27 +33,27 @@ TEST(Needs, TeapotKeepsFewerBitsInAtLeastFourParametersAndHolds) {
   EXPECT_EQ(needs.design.attributes, 3);  // alpha is the same everywhere
   EXPECT_LT(needs.cost.total(), .7 * static_cast<double>(needs.base_cost.total()));
 
-  // As the program reads it back, drawn and judged by other code.
+  // As the program reads it back, from its snapped vertices.
   const spec::Design read = spec::parse_design(spec::design_toml(needs.design), "teapot");
   const spec::Contract contract = spec::contract(read);
   scene::Options options;
   options.size = scene::Size{320, 240};
   const scene::Scene again = scene::open_scene(contract, "teapot", options);
-  Errors errors{contract};
-  int64_t exact_samples = 0;
+  double depth_ulp = 0;
+  int64_t covered = 0, exact_samples = 0;
   spec::Triangle triangle;
-  core::FrameCounters counters;
   while (again.source->next(&triangle)) {
-    exact::Triangle t;
-    for (size_t i = 0; i < 3; ++i) t[i] = {triangle.v[i].x, triangle.v[i].y, triangle.v[i].z, {}};
-    const exact::Judge judge(t, read.subpixel_bits, 320, 240, exact::Cull::kNone);
-    errors.judge = &judge;
-    core::draw_triangle(contract, again.frame, {}, triangle, &counters, errors);
+    const exact::Judge judge = judge::exact_judge(read, again.frame, triangle);
+    judge::for_each_sample(contract, again.frame, triangle, [&](const judge::Drawn& drawn) {
+      ASSERT_TRUE(judge.covers(drawn.x, drawn.y));
+      ++covered;
+      depth_ulp = std::max(depth_ulp, std::abs(judge.depth_error(drawn.x, drawn.y, drawn.z)));
+    });
     exact_samples += judge.samples();
   }
-  EXPECT_EQ(errors.covered, exact_samples);
-  EXPECT_LE(errors.depth_ulp, 1);
-  EXPECT_EQ(errors.depth_ulp, needs.judgement.max_depth_ulp);
+  EXPECT_EQ(covered, exact_samples);
+  EXPECT_LE(depth_ulp, 1);
+  EXPECT_EQ(depth_ulp, needs.judgement.max_depth_ulp);
 }
 
 TEST(Needs, TwoFlatTrianglesDropDepthAndInterpolation) {

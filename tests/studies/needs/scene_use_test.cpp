@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "model/core/interp.h"
 #include "studies/judge/scene_truth.h"
 #include "tests/studies/small_scenes.h"
 
@@ -15,17 +14,6 @@ const spec::Contract kContract = spec::contract(spec::kHighTile);
 SceneUse use_of(const scene::Scene& scene, Winners* winners = nullptr) {
   Winners unused;
   return scene_use(scene, kContract, winners != nullptr ? winners : &unused);
-}
-
-TEST(DepthFunctions, PassAsTheModelPasses) {
-  for (int f = 0; f < 9; ++f) {
-    const auto func = static_cast<spec::DepthFunc>(f);
-    for (const int order : {-1, 0, 1}) {
-      const uint32_t passed =
-          core::depth_test(kContract, func, 1, {static_cast<uint32_t>(5 + order)}, {5});
-      EXPECT_EQ(passes(func, order), passed == 1) << f << " " << order;
-    }
-  }
 }
 
 // The half square has 28 samples: the eight on the hypotenuse, a right edge, are not its own.
@@ -154,7 +142,7 @@ TEST(Bands, PartitionTheRows) {
   const scene::Scene scene = scene_of(
       {half_square(-9, 3, 700, .5f, kRed), half_square(5, 30, 2, .5f, kRed)}, frame_of(16384, 512));
   int bands = 0;
-  for_each_judged(scene, kContract, format_of(kContract.design),
+  for_each_judged(scene, kContract, judge::format_of(kContract.design),
                   [&](const spec::Triangle&, const exact::ScreenJudge& judge) {
                     const exact::Span all = judge.rows();
                     int next_row = all.first;

@@ -1,0 +1,66 @@
+// A sample as it is drawn, and how far its values are from the exact ones.
+#pragma once
+
+#include <array>
+
+#include "model/spec/structs.h"
+
+namespace pineda::judge {
+
+/// A sample as something draws it.
+struct Drawn {
+  int x = 0, y = 0;         // px
+  int64_t z = 0;            // depth code
+  spec::Attributes attr{};  // the interpolated ones first, then the flat ones
+};
+
+/// The values that a sample has, and what is true of them.
+struct Values {
+  bool depth = true;
+  int smooth = 4;            // attributes that are interpolated
+  int channels = 4;          // all: behind the interpolated ones those of the first vertex
+  bool perspective = false;  // interpolated with perspective, else affinely
+};
+inline Values values_of(const spec::Design& d) {
+  return {d.depth_test, d.attributes, spec::channels(d), d.perspective};
+}
+
+/// A value minus the exact one.
+struct Error {
+  double units = 0;            // of the last place
+  bool is_misrounded = false;  // not the nearest code
+};
+
+/// Those of a sample; of values that it does not have, 0.
+struct Errors {
+  Error depth;
+  std::array<Error, spec::kMaxAttributes> attr{};
+};
+
+/// Calls visit(x, y, lane) for each covered sample of a stamp.
+template <class Visit>
+void for_each_lane(const spec::Design& d, const spec::Stamp& stamp, Visit&& visit) {
+  for (uint32_t mask = stamp.mask; mask != 0; mask &= mask - 1) {
+    const int lane = __builtin_ctz(mask);
+    visit((stamp.x << d.stamp_width_log2) + (lane & ((1 << d.stamp_width_log2) - 1)),
+          (stamp.y << d.stamp_height_log2) + (lane >> d.stamp_width_log2),
+          static_cast<size_t>(lane));
+  }
+}
+
+/// Calls visit(Drawn) for each of them.
+template <class Visit>
+void for_each_sample(const spec::Design& d, const spec::Stamp& stamp,
+                     const spec::Fragment& fragment, Visit&& visit) {
+  const auto smooth = static_cast<size_t>(d.attributes);
+  const auto channels = static_cast<size_t>(spec::channels(d));
+  for_each_lane(d, stamp, [&](int x, int y, size_t lane) {
+    Drawn drawn{x, y, fragment.z[lane], {}};
+    for (size_t i = 0; i < channels; ++i) {
+      drawn.attr[i] = i < smooth ? fragment.attr[lane][i] : stamp.planes.flat[i - smooth];
+    }
+    visit(drawn);
+  });
+}
+
+}  // namespace pineda::judge

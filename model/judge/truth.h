@@ -1,0 +1,99 @@
+// What exact arithmetic says of one triangle, sample by sample.
+#pragma once
+
+#include <vector>
+
+#include "model/judge/exact_terms.h"
+#include "model/judge/sample.h"
+
+namespace pineda::judge {
+
+/// One triangle's samples and how far drawn ones are from them.
+class Truth {
+ public:
+  virtual ~Truth() = default;
+
+  /// Rows that may hold samples of it; empty when first > last.
+  virtual exact::Span rows() const = 0;
+  /// The samples of a row.
+  virtual exact::Span span(int y) const = 0;
+  /// Of a sample that it has.
+  virtual Errors errors(const Values& values, const Drawn& drawn) const = 0;
+
+ protected:
+  Truth() = default;
+  Truth(const Truth&) = default;
+  Truth& operator=(const Truth&) = default;
+};
+
+/// The triangle as a scene states it, from its floats on; all exact values at once, so that many
+/// may be compared with them.
+class ScreenTruth final : public Truth {
+ public:
+  /// Perspective takes its time: without it there are affine values alone.
+  explicit ScreenTruth(bool with_perspective = true) : with_perspective_(with_perspective) {}
+
+  void judge(const exact::ScreenJudge& judge) { this->judge(judge, judge.rows()); }
+  /// Some of the triangle's rows; the others are as if they had no samples.
+  void judge(const exact::ScreenJudge& judge, exact::Span rows);
+
+  exact::Span rows() const override { return rows_; }
+  exact::Span span(int y) const override { return row(y).span; }
+  Errors errors(const Values& values, const Drawn& drawn) const override;
+
+  const std::vector<exact::Sample>& samples() const { return samples_; }
+  /// nullptr where the triangle does not cover pixel (x, y).
+  const exact::Sample* find(int x, int y) const;
+  /// The snapped attributes of the first vertex: what flat attributes are everywhere.
+  const spec::Attributes& flat() const { return flat_; }
+  /// The exact value of an attribute, interpolated as a design does.
+  exact::Value attribute(const exact::Sample& sample, size_t i, bool perspective) const;
+  /// max(|dz/dx|, |dz/dy|) in codes a px.
+  double depth_slope() const { return depth_slope_; }
+
+ private:
+  struct Row {
+    exact::Span span;
+    size_t first;  // index of its first sample
+  };
+  const Row& row(int y) const { return row_[static_cast<size_t>(y - rows_.first)]; }
+
+  bool with_perspective_;
+  bool affine_ = true;
+  double depth_slope_ = 0;
+  spec::Attributes flat_{};
+  exact::Span rows_;
+  std::vector<Row> row_;
+  std::vector<exact::Sample> samples_;
+};
+
+/// The triangle as a design takes it, snapped; each value when it is asked for.
+///
+/// Bits     with perspective a value's weights are exact integers times 1/w as the vertices have
+///          it, summed in long doubles. Whether a depth bias is right is not judged: it is taken
+///          as given, in codes, and depth may stop at either end of its range for it.
+class SnappedTruth final : public Truth {
+ public:
+  SnappedTruth(const spec::Design& design, const spec::FrameState& frame,
+               const spec::Triangle& triangle, double bias_codes = 0)
+      : triangle_(triangle),
+        judge_(exact_judge(design, frame, triangle)),
+        top_code_((int64_t{1} << design.depth_bits) - 1),
+        bias_codes_(bias_codes) {}
+
+  const exact::Judge& judge() const { return judge_; }
+  exact::Span rows() const override { return judge_.rows(); }
+  exact::Span span(int y) const override { return judge_.span(y); }
+  Errors errors(const Values& values, const Drawn& drawn) const override;
+
+ private:
+  double depth_error(const Drawn& drawn) const;
+  double perspective_error(const Drawn& drawn, size_t attribute) const;
+
+  spec::Triangle triangle_;
+  exact::Judge judge_;
+  int64_t top_code_;
+  double bias_codes_;
+};
+
+}  // namespace pineda::judge
