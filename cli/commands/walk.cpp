@@ -1,4 +1,5 @@
 // pineda walk: one triangle through every stage, with its bits.
+#include <cmath>
 #include <memory>
 
 #include "cli/output.h"
@@ -12,17 +13,24 @@ struct WalkOptions : Options {
   int stamp = 0;
 };
 
-/// Prints each field of a struct: name, format, bits and the real number they stand for.
+/// Prints each field of a struct: name, format, bits and the real number they stand for; *json gets
+/// them under the struct's name.
 template <class T>
-void print_fields(const Output& output, const spec::Contract& c, const char* title,
-                  const T& value) {
+void show(const Output& output, const spec::Contract& c, const char* title, const T& value,
+          Json* json) {
   output.line("\n{}", title);
+  Json& fields = (*json)[spec::struct_name<T>()];
   for (const auto& f : spec::fields<T>(c)) {
     const std::string format = spec::format_name(f.is_signed, f.bits, f.fraction_bits, "");
     for (int i = 0; i < f.count; ++i) {
       const std::string name = f.count == 1 ? f.name : fmt::format("{}[{}]", f.name, i);
+      const int64_t code = f.get(c, value, i);
       output.line("  {:<12}{:<10}{}", name, format,
-                  spec::value_text(f.bits, f.fraction_bits, f.unit, f.get(c, value, i)));
+                  spec::value_text(f.bits, f.fraction_bits, f.unit, code));
+      fields[name] = {{"format", format},
+                      {"code", code},
+                      {"value", std::ldexp(static_cast<double>(code), -f.fraction_bits)},
+                      {"unit", f.unit}};
     }
   }
 }
@@ -32,24 +40,25 @@ struct WalkSink {
   const Output& output;
   const spec::Contract& contract;
   int wanted;
+  Json* json;
   int seen = 0;
   bool found = false;
 
   void prim(const spec::SetupPrim& prim) {
-    print_fields(output, contract,
-                 "SetupPrim: edges and planes at the first sample of its first tile", prim);
+    show(output, contract, "SetupPrim: edges and planes at the first sample of its first tile",
+         prim, json);
   }
   void stamp(const spec::Stamp& stamp) {
     found = seen++ == wanted;
     if (!found) return;
-    print_fields(output, contract, "Stamp: coverage, and planes at its tile's first sample", stamp);
+    show(output, contract, "Stamp: coverage, and planes at its tile's first sample", stamp, json);
   }
   void fragment(const spec::Stamp&, const spec::Fragment&) {}
   void depth(const spec::DepthWrite& write) {
-    if (found) print_fields(output, contract, "DepthWrite: the samples that pass", write);
+    if (found) show(output, contract, "DepthWrite: the samples that pass", write, json);
   }
   void color(const spec::ColorWrite& write) {
-    if (found) print_fields(output, contract, "ColorWrite", write);
+    if (found) show(output, contract, "ColorWrite", write, json);
   }
 };
 
@@ -64,12 +73,15 @@ int run(const WalkOptions& options) {
     throw UsageError(
         fmt::format("--triangle: {} has no triangle {} to draw", scene.name, options.triangle));
   }
-  print_fields(output, contract, "Triangle: snapped vertices", triangle);
+  Json json = header_json(scene, contract);
+  show(output, contract, "Triangle: snapped vertices", triangle, &json);
   core::Renderer renderer(contract, scene.frame);
-  WalkSink sink{output, contract, options.stamp};
+  WalkSink sink{output, contract, options.stamp, &json};
   const core::Drop drop = renderer.draw(triangle, sink);
   if (drop != core::Drop::kNone) {
     output.line("\nDropped by setup: {}.", core::drop_name(drop));
+    json["dropped"] = core::drop_name(drop);
+    output.json(json);
     return kHolds;
   }
   const auto& c = renderer.counters();
@@ -78,6 +90,8 @@ int run(const WalkOptions& options) {
   if (options.stamp >= sink.seen) {
     throw UsageError(fmt::format("--stamp: the triangle has stamps 0 to {}", sink.seen - 1));
   }
+  json["counters"] = counters_json(c);
+  output.json(json);
   return kHolds;
 }
 

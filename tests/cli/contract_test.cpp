@@ -188,6 +188,22 @@ TEST(Walk, ShowsEveryStageOfATriangle) {
   }
 }
 
+TEST(Walk, WritesEveryFieldAsJson) {
+  const Outcome run = pineda({"walk", "triangle", "--stamp", "20", "--json", "-"});
+  ASSERT_EQ(run.exit_code, 0);
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json.at("setup_prim").at("e[0]").at("value"), 1539.99609375);
+  EXPECT_EQ(json.at("stamp").at("mask").at("code"), 5);
+  EXPECT_EQ(json.at("depth_write").at("z[0]").at("code"), 0x54d34d);
+  EXPECT_EQ(json.at("color_write").at("attr[0]").at("unit"), "LSB");
+  EXPECT_EQ(json.at("counters").at("stamps"), 409);
+  const Outcome dropped = pineda({"walk", "triangle", "--cull", "front", "--json", "-"});
+  const Outcome culled = pineda({"walk", "triangle", "--cull", "back", "--json", "-"});
+  // Its facing is one of the two.
+  EXPECT_NE(Json::parse(dropped.out).contains("dropped"),
+            Json::parse(culled.out).contains("dropped"));
+}
+
 // Long enough for several updates, which come ten times a second.
 const Arguments kLongRun{"check", "teapot", "--tessellate", "14"};
 
