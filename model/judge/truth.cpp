@@ -57,10 +57,10 @@ Errors SnappedTruth::errors(const Values& values, const Drawn& drawn) const {
   if (values.depth) errors.depth = error_of(depth_error(drawn));
   for (size_t i = 0; i < static_cast<size_t>(values.channels); ++i) {
     const auto a = static_cast<int>(i);
-    errors.attr[i] = error_of(a >= values.smooth ? drawn.attr[i] - triangle_.v[0].attr[i]
-                              : values.perspective
-                                  ? perspective_error(drawn, i)
-                                  : judge_.attribute_error(drawn.x, drawn.y, a, drawn.attr[i]));
+    errors.attr[i] =
+        error_of(a >= values.smooth   ? drawn.attr[i] - triangle_.v[0].attr[i]
+                 : values.perspective ? perspective_error(drawn, i)
+                                      : judge_.attribute_error(drawn.x, drawn.y, a, drawn.attr[i]));
   }
   return errors;
 }

@@ -217,8 +217,9 @@ int64_t count_samples(const std::vector<SceneTriangle>& triangles, const spec::F
                       const spec::Design& design, int64_t limit) {
   int64_t count = 0;
   for (const SceneTriangle& t : triangles) {
-    count +=
-        exact::ScreenJudge(t.screen, judge::format_of(design), judge::exact_frame(frame)).snapped().samples();
+    count += exact::ScreenJudge(t.screen, judge::format_of(design), judge::exact_frame(frame))
+                 .snapped()
+                 .samples();
     if (count > limit) break;
   }
   return count;

@@ -49,13 +49,13 @@ void SceneDrawing::triangle(const spec::Triangle& triangle, const exact::ScreenJ
   const spec::Design& d = contract_.design;
   for_each_band(judge, frame_.width, d.tile_log2, [&](int first, int last, exact::Span rows) {
     comparison_.begin(truths_.truth(drawn_ - 1, judge, rows), limits_, triangle.id);
-    judge::for_each_fragment(
-        contract_, frame_, {first, last}, triangle,
-        [&](const spec::Stamp& stamp, const spec::Fragment& fragment) {
-          judge::for_each_sample(d, stamp, fragment,
-                                 [&](const judge::Drawn& drawn) { comparison_.sample(drawn); });
-          write(stamp, fragment);
-        });
+    judge::for_each_fragment(contract_, frame_, {first, last}, triangle,
+                             [&](const spec::Stamp& stamp, const spec::Fragment& fragment) {
+                               judge::for_each_sample(
+                                   d, stamp, fragment,
+                                   [&](const judge::Drawn& drawn) { comparison_.sample(drawn); });
+                               write(stamp, fragment);
+                             });
     comparison_.end();
   });
 }

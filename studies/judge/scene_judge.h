@@ -21,7 +21,7 @@ struct SceneLimits {
 
 struct SceneJudgement : judge::Verdict {
   uint64_t other_winner = 0;  // samples of the frame that show another triangle
-  bool finished = true;  // false: stopped at the first triangle out of the limits
+  bool finished = true;       // false: stopped at the first triangle out of the limits
 
   bool holds(const SceneLimits& limits) const;
   /// Empty if it holds, else what does not, in a few words.

@@ -1,4 +1,5 @@
-// The comparison that every judge makes: the nearest codes hold, and each fault is seen where it is.
+// The comparison that every judge makes: the nearest codes hold, and each fault is seen where it
+// is.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,10 +55,16 @@ struct Fault {
 const Fault kFaults[] = {
     {"Lost", [](Samples* s, Drawn* at) { s->erase(s->begin() + (at - s->data())); }, 1, 0, 0,
      "sample (20, 20) is missing"},
-    {"TooMany", [](Samples* s, Drawn*) { s->push_back({0, 0, 0, {}}); }, 0, 1, 0,
-     "sample (0, 0) is not covered"},
-    {"BelowAllRows", [](Samples* s, Drawn*) { s->push_back({11, 47, 0, {}}); }, 0, 1, 0,
-     "sample (11, 47) is not covered"},
+    {"TooMany",
+     [](Samples* s, Drawn*) {
+       s->push_back({0, 0, 0, {}});
+     },
+     0, 1, 0, "sample (0, 0) is not covered"},
+    {"BelowAllRows",
+     [](Samples* s, Drawn*) {
+       s->push_back({11, 47, 0, {}});
+     },
+     0, 1, 0, "sample (11, 47) is not covered"},
     {"Twice", [](Samples* s, Drawn* at) { s->push_back(*at); }, 0, 1, 0,
      "sample (20, 20) is drawn twice"},
     {"InThePlaceOfAnother", [](Samples*, Drawn* at) { --at->x; }, 1, 1, 0,

@@ -45,8 +45,7 @@ inline std::vector<Drawn> nearest(const ScreenTruth& truth, const Values& values
     Drawn drawn{s.x, s.y, s.z.nearest, {}};
     for (size_t i = 0; i < static_cast<size_t>(values.channels); ++i) {
       drawn.attr[i] = i < static_cast<size_t>(values.smooth)
-                          ? static_cast<int32_t>(
-                                truth.attribute(s, i, values.perspective).nearest)
+                          ? static_cast<int32_t>(truth.attribute(s, i, values.perspective).nearest)
                           : truth.flat()[i];
     }
     all.push_back(drawn);

@@ -35,7 +35,7 @@ size_t expect_equal_errors(const Values& values) {
 
 TEST(Truth, FromFloatsAndFromSnappedVerticesIsTheSame) {
   EXPECT_GT(expect_equal_errors({}), 500u);
-  EXPECT_GT(expect_equal_errors({true, 4, 4, true}), 500u);   // with perspective
+  EXPECT_GT(expect_equal_errors({true, 4, 4, true}), 500u);    // with perspective
   EXPECT_GT(expect_equal_errors({false, 2, 4, false}), 500u);  // two flat ones, no depth
 }
 

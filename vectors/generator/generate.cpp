@@ -102,8 +102,8 @@ template <class Case>
 void add_raw(uint64_t, File<Case>*) {}
 
 template <class Case>
-Tally generate_one(const Contract& contract, int level, uint64_t seed, const spec::ErrorBounds& bounds,
-                   const std::string& path) {
+Tally generate_one(const Contract& contract, int level, uint64_t seed,
+                   const spec::ErrorBounds& bounds, const std::string& path) {
   Tally tally;
   write(path, generate<Case>(contract, level, seed, bounds, &tally));
   return tally;
@@ -112,8 +112,8 @@ Tally generate_one(const Contract& contract, int level, uint64_t seed, const spe
 }  // namespace
 
 template <class Case>
-File<Case> generate(const Contract& contract, int level, uint64_t seed, const spec::ErrorBounds& bounds,
-                    Tally* tally) {
+File<Case> generate(const Contract& contract, int level, uint64_t seed,
+                    const spec::ErrorBounds& bounds, Tally* tally) {
   File<Case> file{contract, level, seed, {}};
   Tally count;
   for (const Scene& scene : scenes(contract, level, seed)) {
@@ -132,8 +132,10 @@ File<Case> generate(const Contract& contract, int level, uint64_t seed, const sp
 }
 
 template File<SetupCase> generate(const Contract&, int, uint64_t, const spec::ErrorBounds&, Tally*);
-template File<TraversalCase> generate(const Contract&, int, uint64_t, const spec::ErrorBounds&, Tally*);
-template File<InterpZtestCase> generate(const Contract&, int, uint64_t, const spec::ErrorBounds&, Tally*);
+template File<TraversalCase> generate(const Contract&, int, uint64_t, const spec::ErrorBounds&,
+                                      Tally*);
+template File<InterpZtestCase> generate(const Contract&, int, uint64_t, const spec::ErrorBounds&,
+                                        Tally*);
 template File<FrameCase> generate(const Contract&, int, uint64_t, const spec::ErrorBounds&, Tally*);
 
 Tally generate_file(Unit unit, const Contract& contract, int level, uint64_t seed,

@@ -24,8 +24,8 @@ struct Tally {
 
 /// The cases of one unit. Throws Misjudged. `tally` may be nullptr.
 template <class Case>
-File<Case> generate(const spec::Contract& contract, int level, uint64_t seed, const spec::ErrorBounds& bounds,
-                    Tally* tally);
+File<Case> generate(const spec::Contract& contract, int level, uint64_t seed,
+                    const spec::ErrorBounds& bounds, Tally* tally);
 
 /// The same, written to `path`. Throws Misjudged or Refused.
 Tally generate_file(Unit unit, const spec::Contract& contract, int level, uint64_t seed,

@@ -163,7 +163,8 @@ class Hearing {
 
 }  // namespace
 
-std::optional<std::string> misjudged(const Contract& c, const Scene& scene, const spec::ErrorBounds& bounds) {
+std::optional<std::string> misjudged(const Contract& c, const Scene& scene,
+                                     const spec::ErrorBounds& bounds) {
   for (size_t i = 0; i < scene.triangles.size(); ++i) {
     const Hearing hearing(c, scene.frame, scene.triangles[i], bounds);
     if (const Text text = hearing.verdict()) {

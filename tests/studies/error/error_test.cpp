@@ -188,7 +188,8 @@ TEST(Scorer, CountsASampleThatIsHitTwice) {
   const std::array<Point, 3> p{{{0, 0}, {8 * 256, 0}, {0, 8 * 256}}};
   const SceneTriangle t = scene_triangle(p, {.5f, .5f, .5f}, 7);
   judge::ScreenTruth truth;
-  truth.judge(exact::ScreenJudge(t.screen, judge::format_of(spec::kHighTile), judge::exact_frame(kFrame)));
+  truth.judge(
+      exact::ScreenJudge(t.screen, judge::format_of(spec::kHighTile), judge::exact_frame(kFrame)));
   Subject result;
   Scorer scorer(&result, kFrame, spec::kHighTile, false);
   scorer.begin(truth);
