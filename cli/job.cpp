@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "model/scene/resnap.h"
+#include "model/spec/design_file.h"
 
 namespace pineda::cli {
 namespace {
@@ -11,13 +12,10 @@ namespace {
 constexpr const char* kAuto = "auto";
 
 /// What the design is in one line: its parameters that differ from the base's.
-std::string differences(const spec::Design& design, const spec::Design& base) {
+std::string differences_text(const spec::Design& design, const spec::Design& base) {
   std::string text;
-  const auto of_base = spec::parameters(base);
-  size_t i = 0;
-  for (const auto& p : spec::parameters(design)) {
-    if (p.value == of_base[i++].value) continue;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", p.name, p.value);
+  for (const spec::Setting& s : spec::differences(design, base)) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", s.key, s.value);
   }
   return text;
 }
@@ -56,7 +54,7 @@ Job open_job(const Options& options, Lack lack, bool multi_pass, const Output& o
   job.needs = needs_of(job.scene, needs_options, true, progress);
   const spec::Design& design = job.needs->design;
   output.line("--design auto: {} with {}; {} of {} bits", needs_options.base.name,
-              differences(design, needs_options.base),
+              differences_text(design, needs_options.base),
               grouped(static_cast<uint64_t>(job.needs->cost.total())),
               grouped(static_cast<uint64_t>(job.needs->base_cost.total())));
   require_of(options, design, lack);

@@ -67,18 +67,18 @@ void add_mesh_options(CLI::App* command, Options* o) {
       ->type_name("N")
       ->group(meshes);
   command->add_option("--cull", o->cull, "none, back or front; front = counter-clockwise")
-      ->check(CLI::IsMember(scene::words_of<spec::Cull>()))
+      ->check(CLI::IsMember(spec::word_list<spec::Cull>()))
       ->type_name("FACE")
       ->group(meshes);
-  command->add_option("--depth", o->depth, scene::alternatives(scene::words_of<spec::DepthFunc>()))
-      ->check(CLI::IsMember(scene::words_of<spec::DepthFunc>()))
+  command->add_option("--depth", o->depth, spec::alternatives<spec::DepthFunc>())
+      ->check(CLI::IsMember(spec::word_list<spec::DepthFunc>()))
       ->type_name("FUNC")
       ->group(meshes);
   command->add_option("--scissor", o->scissor, "Draw in this rectangle alone, px")
       ->type_name("X,Y,W,H")
       ->group(meshes);
   command->add_option("--depth-write", o->depth_write, "on or off: of the samples that pass")
-      ->check(CLI::IsMember(scene::words_of<bool>()))
+      ->check(CLI::IsMember(spec::word_list<bool>()))
       ->type_name("ON")
       ->group(meshes);
   command
@@ -94,7 +94,7 @@ void add_mesh_options(CLI::App* command, Options* o) {
                  "Depth 1 at the near plane; depth greater, clear depth 0 unless they are given")
       ->group(meshes);
   command->add_option("--shade", o->shade, "smooth, or flat: the first vertex's colour")
-      ->check(CLI::IsMember(scene::words_of<spec::Shade>()))
+      ->check(CLI::IsMember(spec::word_list<spec::Shade>()))
       ->type_name("SHADE")
       ->group(meshes);
 }
@@ -209,10 +209,10 @@ scene::Scene open(const Options& o, const spec::Contract& contract, bool multi_p
     if (!options.size) throw UsageError(fmt::format("--size: expected WxH, got '{}'", o.size));
   }
   // An option that was not given is no word.
-  options.cull = scene::named<spec::Cull>(o.cull);
-  options.depth = scene::named<spec::DepthFunc>(o.depth);
-  options.depth_write = scene::named<bool>(o.depth_write);
-  options.shade = scene::named<spec::Shade>(o.shade);
+  options.cull = spec::named<spec::Cull>(o.cull);
+  options.depth = spec::named<spec::DepthFunc>(o.depth);
+  options.depth_write = spec::named<bool>(o.depth_write);
+  options.shade = spec::named<spec::Shade>(o.shade);
   if (!o.scissor.empty()) options.scissor = parse_scissor(o.scissor);
   if (!o.depth_bias.empty()) {
     options.depth_bias = parse_depth_bias(o.depth_bias, contract.design.depth_bits);

@@ -10,7 +10,8 @@
 
 namespace pineda::cli {
 
-using scene::name_of;
+using spec::name_of;
+
 Output::Output(const Options& options)
     : json_(options.json), quiet_(options.quiet), file_(options.json == "-" ? stderr : stdout) {}
 
@@ -122,24 +123,12 @@ Json input_json(const scene::Counters& c) {
 }
 
 Json counters_json(const core::FrameCounters& c, bool depth_tests) {
-  Json dropped;
-  for (int i = 1; i < core::kDropCauses; ++i) {
-    std::string key = core::drop_name(static_cast<core::Drop>(i));
-    std::replace(key.begin(), key.end(), ' ', '_');
-    dropped[key] = c.dropped[static_cast<size_t>(i)];
+  Json json;
+  for (const core::FrameCounter& row : core::kFrameCounters) {
+    const std::string place = row.json;
+    if (place.empty() || (row.known == core::Known::kIfTested && !depth_tests)) continue;
+    json[Json::json_pointer(place)] = row.of(c);
   }
-  Json json{{"triangles", c.triangles},
-            {"dropped", dropped},
-            {"tiles",
-             {{"tested", c.tiles_tested},
-              {"rejected", c.tiles_rejected},
-              {"accepted", c.tiles_accepted},
-              {"hidden", c.tiles_hidden}}},
-            {"stamps", c.stamps},
-            {"fragments", c.fragments}};
-  if (!depth_tests) return json;
-  json["interpolated"] = c.interpolated;
-  json["passed"] = c.passed;
   return json;
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/options.h"
-#include "model/core/frame.h"
+#include "model/core/frame_counters.h"
 
 namespace pineda::cli {
 
@@ -81,7 +81,7 @@ Json header_json(const scene::Scene& scene, const spec::Contract& contract);
 Json unusual_state_json(const spec::FrameState& frame);
 /// What happened to the scene on its way in.
 Json input_json(const scene::Counters& counters);
-/// Triangles, drops by cause, tiles, stamps, fragments.
+/// The counters of core::kFrameCounters.
 /// Without `depth_tests` their outcome is not known, nor what follows from it.
 Json counters_json(const core::FrameCounters& counters, bool depth_tests = true);
 /// The scene's warnings and notes, one line each.

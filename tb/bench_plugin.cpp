@@ -62,7 +62,7 @@ uint64_t get(const VlWide<Words>& port, int position, int bits) {
   return pineda::spec::get_bits(port.m_storage, position, bits);
 }
 
-// Ports of one word or less; two; more.
+// Ports lie in one word or less, in two, or in more.
 template <class Port>
 void set(Port* port, const uint32_t* words) {
   *port = static_cast<Port>(words[0]);
@@ -114,7 +114,7 @@ PinedaBench::~PinedaBench() {
   Verilated::threadContextp(Verilated::defaultContextp());
 }
 
-// The clock is low again afterwards, which the next eval sees.
+// One rising edge. Afterwards the clock is set low, which the next eval() takes up.
 void PinedaBench::edge() {
   top_->clk_i = 1;
   top_->eval();
@@ -139,10 +139,10 @@ uint64_t PinedaBench::run(const PinedaBenchFrame& frame) {
   const uint32_t* triangle = frame.triangles;
   const uint32_t* const end = triangle + frame.count * kTriangleWords;
   size_t slot = 0;
-  uint64_t last_write = 0;  // the cycle after it; the clear counts
+  uint64_t last_write = 0;  // the cycle after the last write; the clear counts as one
   uint64_t last_event = 0;
   for (uint64_t cycle = 0;; ++cycle) {
-    // Offered from the cycle on in which the one before it is gone.
+    // A triangle is offered from the cycle on in which the one before it is gone.
     top_->tri_valid_i = triangle != end;
     top_->end_valid_i = triangle == end;
     if (triangle != end) set(&top_->tri_i, triangle);

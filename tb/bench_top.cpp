@@ -59,13 +59,13 @@ void BenchTop::load(const spec::FrameState& frame, const std::vector<spec::Trian
   }
 }
 
-uint64_t BenchTop::run() {
+timing::Cycle BenchTop::run() {
   const PinedaBenchFrame frame{state_.data(),        triangles_.data(),   count_,
                                buffer_.width,        buffer_.height,      depth_latency_cycles_,
                                buffer_.depth.data(), buffer_.color.data()};
   const uint64_t cycles = plugin_->run(bench_, &frame);
   if (cycles == 0) throw RtlError("bench: nothing moves any more");
-  return cycles;
+  return static_cast<timing::Cycle>(cycles);
 }
 
 }  // namespace pineda::tb

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/core/frame.h"
+#include "model/timing/cycles.h"
 #include "tb/bench_plugin.h"
 
 namespace pineda::tb {
@@ -33,7 +34,7 @@ class BenchTop {
   void load(const spec::FrameState& frame, const std::vector<spec::Triangle>& triangles,
             int depth_latency_cycles);
   /// Draws what was loaded, as often as wanted; from the first clock edge to the last write.
-  uint64_t run();
+  timing::Cycle run();
 
   /// Memories as the last run left them; hits are not counted.
   const core::FrameBuffer& buffer() const { return buffer_; }

@@ -1,9 +1,11 @@
 // What the RTL counts of a frame, as the model names it.
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
-#include "model/timing/cycles.h"
+#include "model/timing/counters.h"
 #include "tb/rtl.h"
 
 namespace pineda::tb {
@@ -11,43 +13,33 @@ namespace pineda::tb {
 /// The counters inside the Verilated top. They run on from frame to frame, so a frame has the
 /// difference between its start and its end.
 ///
-/// Errors   RtlError: the plug-in has no counters.
+/// Errors   RtlError: the plug-in lacks an array of events that a counter adds up.
 class Counters {
  public:
   explicit Counters(const RtlUnit& top);
 
   /// The coming clock edge is the frame's first.
   void start();
-  /// The coming clock edge ends cycle `drained` of the frame, in which it has drained. Both
-  /// results are empty before.
-  void read(timing::Cycle drained, timing::CycleCounters* spent,
-            core::FrameCounters* counters) const;
+  /// The coming clock edge ends cycle `drained` of the frame, in which it has drained. All but the
+  /// frame's cycles, which no array counts.
+  timing::FrameResult read(timing::Cycle drained) const;
 
  private:
-  /// Counts by kind, where they lie and as the frame began.
-  class Group {
+  /// Events by kind, where they lie and as the frame began.
+  class Events {
    public:
-    Group(const RtlUnit& top, const std::string& name);
+    explicit Events(PortData port);
     void start();
-    size_t kinds() const { return first_.size(); }
-    uint64_t operator[](size_t kind) const { return now(kind) - first_[kind]; }
+    /// Those since the start that a counter adds up.
+    uint64_t counted(const core::RtlKinds& kinds) const;
 
    private:
-    uint64_t now(size_t kind) const;
-
     PortData port_;
     std::vector<uint64_t> first_;
   };
 
-  void read_cycles(timing::CycleCounters* spent) const;
-  void read_work(timing::CycleCounters* spent, core::FrameCounters* counters) const;
-
-  std::vector<Group> units_;      // by Unit: cycles by Cause
-  std::vector<Group> levels_;     // by Fifo: cycles by level
-  std::vector<Group> stalls_;     // by MemoryPort; a design without depth has that of colour alone
-  Group drops_;                   // by Drop
-  Group tests_;                   // of tiles: kept, accepted whole, rejected, hidden
-  Group sent_, passed_, failed_;  // stamps by samples
+  const spec::Contract& contract_;
+  std::map<std::string, Events> events_;  // by the name of the array
 };
 
 }  // namespace pineda::tb

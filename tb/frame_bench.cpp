@@ -3,11 +3,11 @@
 namespace pineda::tb {
 
 struct FrameBench::Progress {
-  uint64_t start = 0;       // cycle in which the frame was first offered
-  uint64_t last_event = 0;  // cycle of the last handshake
-  uint64_t last_write = 0;  // cycle after the last accepted write (the clear counts)
-  bool more = true;         // triangles to come after `triangle`
-  bool held = false;        // `triangle` is not taken yet
+  Cycle start = 0;       // cycle in which the frame was first offered
+  Cycle last_event = 0;  // cycle of the last handshake
+  Cycle last_write = 0;  // cycle after the last accepted write (the clear counts)
+  bool more = true;      // triangles to come after `triangle`
+  bool held = false;     // `triangle` is not taken yet
   spec::Triangle triangle;
   bool drained = false;  // no triangle is left, and the pipeline is empty
   FrameResult result;
@@ -65,7 +65,7 @@ FrameResult FrameBench::run(const spec::FrameState& frame, const NextTriangle& n
 }
 
 void FrameBench::run_into_reset(const spec::FrameState& frame, const NextTriangle& next,
-                                uint64_t cycles) {
+                                Cycle cycles) {
   memory_.start(frame, core::FrameBuffer(unit_.contract(), frame), unit_.cycle());
   frames_.offer(frame);
   Progress progress;
@@ -85,13 +85,13 @@ std::array<timing::Cause, timing::kUnits> FrameBench::run_close_up(const spec::F
   progress.drained = true;  // the counters are read here
   FrameResult counted;
   bool ended = false;
-  for (uint64_t cycle = 0; !ended && cycle < close_up.until; ++cycle) {
+  for (Cycle cycle = 0; !ended && cycle < close_up.until; ++cycle) {
     if (cycle == close_up.from && !close_up.trace.empty() && !trace(close_up.trace)) {
       throw RtlError(fmt::format("{}: cannot be written", close_up.trace));
     }
     if (cycle == close_up.at) counters_.start();
     ended = step(&progress, next, listener);
-    if (cycle == close_up.at) counters_.read(1, &counted.spent, &counted.counters);
+    if (cycle == close_up.at) counted = counters_.read(1);
   }
   std::array<timing::Cause, timing::kUnits> causes;
   causes.fill(timing::Cause::kStarved);  // if the frame ended before
@@ -105,8 +105,9 @@ std::array<timing::Cause, timing::kUnits> FrameBench::run_close_up(const spec::F
 
 // One cycle; true once the end of the frame is taken.
 bool FrameBench::step(Progress* p, const NextTriangle& next, Listener* listener) {
-  const uint64_t cycle = unit_.cycle();
-  // A frame that waits was offered by run(); a triangle follows when its port does not stall.
+  const Cycle cycle = unit_.cycle();
+  // The frame was offered before the first step. A triangle is offered when its port does not
+  // stall.
   if (!p->held && p->more) p->held = p->more = next(&p->triangle);
   if (p->held && !triangles_.offered() && !stalls_(Port::kTriangle, cycle)) {
     triangles_.offer(p->triangle);
@@ -133,11 +134,9 @@ bool FrameBench::step(Progress* p, const NextTriangle& next, Listener* listener)
     }
   }
   if (cleared || written) p->last_write = cycle + 1;
-  if (triangle_taken) ++p->result.triangles;
   if (at_end && end_ready_.bit() && !p->drained) {
     p->drained = true;
-    const auto drained = static_cast<timing::Cycle>(cycle - p->start);
-    counters_.read(drained, &p->result.spent, &p->result.counters);
+    p->result = counters_.read(cycle - p->start);
   }
   if (moved) p->last_event = cycle;
   if (cycle - p->last_event > kDeadlockCycles) {

@@ -22,19 +22,14 @@ std::shared_ptr<MemoryTiming> memory_of(const BenchOptions& options,
 /// Gives the next triangle of a frame; false at its end.
 using NextTriangle = std::function<bool(spec::Triangle*)>;
 
-struct FrameResult {
-  uint64_t cycles = 0;     // from the frame's first clock edge to the last write accepted
-  uint64_t triangles = 0;  // accepted
-  timing::CycleCounters spent;
-  core::FrameCounters counters;
-};
+using timing::FrameResult;
 
 /// Some cycles of a frame, looked at closely.
 struct CloseUp {
-  uint64_t from = 0;   // the first cycle that the waveform shows
-  uint64_t at = 0;     // what the units do in this one is counted; from <= at < until
-  uint64_t until = 0;  // the first cycle that is not run any more
-  std::string trace;   // file of the waveform; empty: none
+  Cycle from = 0;     // the first cycle that the waveform shows
+  Cycle at = 0;       // what the units do in this one is counted; from <= at < until
+  Cycle until = 0;    // the first cycle that is not run any more
+  std::string trace;  // file of the waveform; empty: none
 };
 
 /// Runs frames, one after the other, from one reset on.
@@ -48,7 +43,7 @@ class FrameBench {
   /// unit boundary; without one, the streams inside are not looked at.
   FrameResult run(const spec::FrameState& frame, const NextTriangle& next, Listener* listener);
   /// The same, but resets in the middle, `cycles` after the start, and leaves the pipeline idle.
-  void run_into_reset(const spec::FrameState& frame, const NextTriangle& next, uint64_t cycles);
+  void run_into_reset(const spec::FrameState& frame, const NextTriangle& next, Cycle cycles);
 
   /// The bench's first frame up to the end of the close-up, where the bench is left as it is: good
   /// for nothing more. The waveform is whole once the bench is gone. Returns each unit's cause in

@@ -28,7 +28,7 @@ MemoryEnd::MemoryEnd(const RtlUnit& unit, std::shared_ptr<MemoryTiming> timing)
   }
 }
 
-void MemoryEnd::start(const spec::FrameState& frame, core::FrameBuffer buffer, uint64_t cycle) {
+void MemoryEnd::start(const spec::FrameState& frame, core::FrameBuffer buffer, Cycle cycle) {
   buffer_ = std::move(buffer);
   timing_->begin_frame(frame);
   start_ = cycle;
@@ -48,35 +48,33 @@ void MemoryEnd::forget() {
   depth_->writes.forget();
 }
 
-bool MemoryEnd::ready(const Stalls& stalls, MemoryPort port, uint64_t cycle) const {
-  const auto now = static_cast<memory::Cycle>(cycle - start_);
+bool MemoryEnd::ready(const Stalls& stalls, MemoryPort port, Cycle cycle) const {
+  const Cycle now = cycle - start_;
   return !stalls(memory::stalling(port), cycle) && timing_->ready_from(port, now) == now;
 }
 
-void MemoryEnd::drive(const Stalls& stalls, uint64_t cycle) {
+void MemoryEnd::drive(const Stalls& stalls, Cycle cycle) {
   color_writes_.set_ready(ready(stalls, MemoryPort::kColorWrite, cycle));
   if (!depth_) return;
   depth_->reads.set_ready(ready(stalls, MemoryPort::kDepthRead, cycle));
   depth_->writes.set_ready(ready(stalls, MemoryPort::kDepthWrite, cycle));
   const Response& response = due_[answered_ % due_.size()];
-  const bool due = answered_ != asked_ && response.cycle == static_cast<memory::Cycle>(cycle);
+  const bool due = answered_ != asked_ && response.cycle == cycle;
   depth_->response_valid.set_bit(due);
   if (!due) return;
   depth_->response.set_packed(response.words.data());
   ++answered_;
 }
 
-memory::Cycle MemoryEnd::accept(MemoryPort port, uint64_t cycle, const StampWords& request) {
-  return timing_->accept(port, static_cast<memory::Cycle>(cycle - start_), request.x(),
-                         request.y()) +
-         static_cast<memory::Cycle>(start_);
+Cycle MemoryEnd::accept(MemoryPort port, Cycle cycle, const StampWords& request) {
+  return timing_->accept(port, cycle - start_, request.x(), request.y()) + start_;
 }
 
-void MemoryEnd::read(uint64_t cycle) {
+void MemoryEnd::read(Cycle cycle) {
   const int bits = contract_.design.depth_bits;
   Response* const response = &due_[asked_++ % due_.size()];
   response->cycle = accept(MemoryPort::kDepthRead, cycle, depth_->read_words);
-  if (response->cycle <= std::max(last_response_, static_cast<memory::Cycle>(cycle))) {
+  if (response->cycle <= std::max(last_response_, cycle)) {
     throw RtlError(
         fmt::format("memory: a read accepted in cycle {} is answered in {}, one before it in {}",
                     cycle, response->cycle, last_response_));
@@ -116,7 +114,7 @@ void MemoryEnd::write_color() {
       });
 }
 
-bool MemoryEnd::sample(uint64_t cycle, Listener* listener) {
+bool MemoryEnd::sample(Cycle cycle, Listener* listener) {
   // A read sees the writes accepted before its cycle, so it comes first.
   if (depth_ && depth_->reads.taken()) read(cycle);
   const bool depth = depth_ && depth_->writes.taken();

@@ -9,6 +9,7 @@
 #include "model/core/frame.h"
 #include "model/memory/stalls.h"
 #include "model/memory/timing.h"
+#include "model/timing/listener.h"
 #include "tb/stream.h"
 
 namespace pineda::tb {
@@ -20,16 +21,8 @@ using memory::Port;
 using memory::stall_mode_name;
 using memory::StallMode;
 using memory::Stalls;
-
-/// Sees each token that leaves a unit, with the cycle of its handshake.
-class Listener {
- public:
-  virtual ~Listener() = default;
-  virtual void prim(uint64_t /*cycle*/, const spec::SetupPrim&) {}
-  virtual void stamp(uint64_t /*cycle*/, const spec::Stamp&) {}
-  virtual void depth(uint64_t /*cycle*/, const spec::DepthWrite&) {}
-  virtual void color(uint64_t /*cycle*/, const spec::ColorWrite&) {}
-};
+using timing::Cycle;
+using timing::Listener;
 
 /// A stamp's address and lanes in a packed struct. The memories work on packed words: unpacking
 /// every field of every write would cost more than the RTL does.
@@ -69,13 +62,13 @@ class MemoryEnd {
   MemoryEnd(const RtlUnit& unit, std::shared_ptr<MemoryTiming> timing);
 
   /// A frame whose cycle 0 is `cycle`.
-  void start(const spec::FrameState& frame, core::FrameBuffer buffer, uint64_t cycle);
+  void start(const spec::FrameState& frame, core::FrameBuffer buffer, Cycle cycle);
   /// The depth of every sample, as the unit asks for it at the start of a frame.
   void clear_depth(uint32_t code);
   /// Before settle: ready signals and a due response.
-  void drive(const Stalls& stalls, uint64_t cycle);
+  void drive(const Stalls& stalls, Cycle cycle);
   /// After settle: takes reads and writes. True when a write was accepted.
-  bool sample(uint64_t cycle, Listener* listener);
+  bool sample(Cycle cycle, Listener* listener);
   /// Forgets everything under way, as after a reset.
   void forget();
 
@@ -84,7 +77,7 @@ class MemoryEnd {
 
  private:
   struct Response {
-    memory::Cycle cycle = 0;
+    Cycle cycle = 0;
     spec::Packed words;
   };
   /// The ports of the depth memory.
@@ -97,9 +90,9 @@ class MemoryEnd {
     PortData response_valid;
     PayloadPort<spec::DepthData> response;
   };
-  bool ready(const Stalls& stalls, MemoryPort port, uint64_t cycle) const;
-  memory::Cycle accept(MemoryPort port, uint64_t cycle, const StampWords& request);
-  void read(uint64_t cycle);
+  bool ready(const Stalls& stalls, MemoryPort port, Cycle cycle) const;
+  Cycle accept(MemoryPort port, Cycle cycle, const StampWords& request);
+  void read(Cycle cycle);
   void write_depth();
   void write_color();
 
@@ -109,10 +102,10 @@ class MemoryEnd {
   StampWords color_words_;
   int attr_ = 0, flat_ = 0;  // positions of the fields
   std::shared_ptr<MemoryTiming> timing_;
-  uint64_t start_ = 0;               // the frame's cycle 0
+  Cycle start_ = 0;                  // the frame's cycle 0
   std::vector<Response> due_;        // read n's is at n modulo its size
   size_t asked_ = 0, answered_ = 0;  // reads
-  memory::Cycle last_response_ = -1;
+  Cycle last_response_ = -1;
   core::FrameBuffer buffer_;
 };
 

@@ -8,9 +8,7 @@ namespace pineda::tb {
 /// Empty where nobody stalls.
 inline timing::Ready ready_of(const memory::Stalls& stalls) {
   if (!stalls.any()) return {};
-  return [stalls](timing::ExternalPort port, timing::Cycle cycle) {
-    return !stalls(port, static_cast<uint64_t>(cycle));
-  };
+  return [stalls](timing::ExternalPort port, timing::Cycle cycle) { return !stalls(port, cycle); };
 }
 
 }  // namespace pineda::tb

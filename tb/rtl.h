@@ -9,6 +9,7 @@
 #include <string>
 
 #include "model/spec/pack.h"
+#include "model/timing/cycles.h"
 #include "tb/plugin.h"
 
 namespace pineda::tb {
@@ -84,7 +85,7 @@ class RtlUnit {
   /// The clock edge that ends the cycle. Throws RtlError when an assertion failed in it.
   void clock();
   /// Clock edges since reset: the number of the cycle under way.
-  uint64_t cycle() const { return cycle_; }
+  timing::Cycle cycle() const { return cycle_; }
   /// FST waveform from now on; false if the file cannot be written.
   bool trace(const std::string& file) { return plugin_.trace(rtl_, file.c_str()) != 0; }
 
@@ -93,7 +94,7 @@ class RtlUnit {
   const PinedaRtlPlugin& plugin_;
   std::string name_;
   PinedaRtl* rtl_;
-  uint64_t cycle_ = 0;
+  timing::Cycle cycle_ = 0;
 };
 
 }  // namespace pineda::tb

@@ -6,6 +6,7 @@ struct Recorder {
   Reference& to;
   void prim(const spec::SetupPrim& token) { to.prims_.push_back(token); }
   void stamp(const spec::Stamp& token) { to.stamps_.push_back({token, false}); }
+  void fragment(const spec::Stamp&, const spec::Fragment&) {}
   void depth(const spec::DepthWrite& token) { to.depths_.push_back(token); }
   void color(const spec::ColorWrite& token) {
     to.stamps_.back().is_seen = true;
@@ -43,9 +44,9 @@ void Scoreboard::diverge(const std::string& text) {
   if (first_.empty()) first_ = fmt::format("{} {}", who_, text);
 }
 
-// True when a token was expected: it is to be popped.
+// True when a token was expected, which the caller then pops.
 template <class T>
-bool Scoreboard::compare(const char* unit, uint64_t cycle, const T* expected, const T& got,
+bool Scoreboard::compare(const char* unit, Cycle cycle, const T* expected, const T& got,
                          const spec::Comparer<T>& comparer) {
   ++compared_;
   if (expected == nullptr) {
@@ -60,10 +61,11 @@ bool Scoreboard::compare(const char* unit, uint64_t cycle, const T* expected, co
   return true;
 }
 
-void Scoreboard::prim(uint64_t cycle, const spec::SetupPrim& got) {
+void Scoreboard::prim(Cycle cycle, const spec::SetupPrim& got) {
   if (compare("setup", cycle, reference_.prim(), got, prims_)) reference_.pop_prim();
 }
-// Up to the one that came, or, at the end, to all that are left.
+// Passes over the stamps that hierarchical z may have hidden: those before the one that came, or at
+// the end all that are left.
 void Scoreboard::pass_over_hidden(const spec::Stamp* got) {
   const auto is = [](const spec::Stamp& a, const spec::Stamp& b) {
     return a.id == b.id && a.x == b.x && a.y == b.y;
@@ -76,14 +78,14 @@ void Scoreboard::pass_over_hidden(const spec::Stamp* got) {
   }
 }
 
-void Scoreboard::stamp(uint64_t cycle, const spec::Stamp& got) {
+void Scoreboard::stamp(Cycle cycle, const spec::Stamp& got) {
   pass_over_hidden(&got);
   if (compare("traversal", cycle, reference_.stamp(), got, stamps_)) reference_.pop_stamp();
 }
-void Scoreboard::depth(uint64_t cycle, const spec::DepthWrite& got) {
+void Scoreboard::depth(Cycle cycle, const spec::DepthWrite& got) {
   if (compare("interp_ztest", cycle, reference_.depth(), got, depths_)) reference_.pop_depth();
 }
-void Scoreboard::color(uint64_t cycle, const spec::ColorWrite& got) {
+void Scoreboard::color(Cycle cycle, const spec::ColorWrite& got) {
   if (compare("interp_ztest", cycle, reference_.color(), got, colors_)) reference_.pop_color();
 }
 

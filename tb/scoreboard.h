@@ -62,13 +62,14 @@ class Scoreboard : public Listener {
   Scoreboard(std::string who, const spec::Contract& contract, const spec::FrameState& frame,
              NextTriangle next);
 
-  void prim(uint64_t cycle, const spec::SetupPrim& got) override;
-  void stamp(uint64_t cycle, const spec::Stamp& got) override;
-  void depth(uint64_t cycle, const spec::DepthWrite& got) override;
-  void color(uint64_t cycle, const spec::ColorWrite& got) override;
+  void prim(Cycle cycle, const spec::SetupPrim& got) override;
+  void stamp(Cycle cycle, const spec::Stamp& got) override;
+  void depth(Cycle cycle, const spec::DepthWrite& got) override;
+  void color(Cycle cycle, const spec::ColorWrite& got) override;
 
-  /// Draws one triangle ahead. For who feeds the scoreboard: a long run of triangles that are all
-  /// dropped asks for nothing, and would pile up.
+  /// Draws one triangle before its tokens are asked for. Whoever feeds the scoreboard calls this
+  /// now and then: triangles that are dropped send no tokens, so nothing asks for them, and a long
+  /// run of them would pile up.
   void draw_ahead() { reference_.draw(); }
 
   /// Call once at the end of the run: counts the tokens that never came.
@@ -84,7 +85,7 @@ class Scoreboard : public Listener {
 
  private:
   template <class T>
-  bool compare(const char* unit, uint64_t cycle, const T* expected, const T& got,
+  bool compare(const char* unit, Cycle cycle, const T* expected, const T& got,
                const spec::Comparer<T>& comparer);
   void diverge(const std::string& text);
   void pass_over_hidden(const spec::Stamp* got);

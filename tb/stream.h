@@ -12,7 +12,7 @@ namespace pineda::tb {
 
 /// A bench that sees no handshake for so long gives up. Nothing waits that long: stalls last
 /// hundreds of cycles, a screen of rejected tiles a few million.
-inline constexpr uint64_t kDeadlockCycles = 8'000'000;
+inline constexpr timing::Cycle kDeadlockCycles = 8'000'000;
 
 /// Moves packed structs between port storage and C++; storage of up to 64 bits is 1, 2, 4 or 8
 /// bytes wide, so the words go through a buffer.

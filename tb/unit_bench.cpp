@@ -6,10 +6,10 @@ namespace {
 class WriteRecorder : public Listener {
  public:
   explicit WriteRecorder(InterpZtestBench::Writes* writes) : writes_(writes) {}
-  void depth(uint64_t cycle, const spec::DepthWrite& write) override {
+  void depth(Cycle cycle, const spec::DepthWrite& write) override {
     writes_->depth.add(cycle, write);
   }
-  void color(uint64_t cycle, const spec::ColorWrite& write) override {
+  void color(Cycle cycle, const spec::ColorWrite& write) override {
     writes_->color.add(cycle, write);
   }
 
@@ -35,7 +35,7 @@ InterpZtestBench::InterpZtestBench(const RtlLibrary& library, const BenchOptions
 InterpZtestBench::Writes InterpZtestBench::run_on(core::FrameBuffer memory,
                                                   const spec::FrameState& frame,
                                                   const std::vector<spec::Stamp>& stamps,
-                                                  std::vector<uint64_t>* accepted) {
+                                                  std::vector<Cycle>* accepted) {
   Writes writes;
   WriteRecorder recorder(&writes);
   if (depth_func_) {
@@ -49,9 +49,9 @@ InterpZtestBench::Writes InterpZtestBench::run_on(core::FrameBuffer memory,
   }
   memory_.start(frame, std::move(memory), unit_.cycle());
   size_t next = 0;
-  uint64_t last_event = unit_.cycle();
+  Cycle last_event = unit_.cycle();
   for (bool done = false; !done;) {
-    const uint64_t cycle = unit_.cycle();
+    const Cycle cycle = unit_.cycle();
     if (!stamps_.offered() && next < stamps.size() && !stalls_(Port::kInput, cycle)) {
       stamps_.offer(stamps[next++]);
     }

@@ -9,9 +9,9 @@ namespace pineda::tb {
 template <class T>
 struct Trace {
   std::vector<T> tokens;
-  std::vector<uint64_t> cycles;  // of the handshakes
+  std::vector<Cycle> cycles;  // of the handshakes
 
-  void add(uint64_t cycle, const T& token) {
+  void add(Cycle cycle, const T& token) {
     tokens.push_back(token);
     cycles.push_back(cycle);
   }
@@ -36,12 +36,12 @@ class UnitBench {
 
   /// Feeds all tokens, then waits until the unit is idle. *accepted, if given, gets the cycles in
   /// which it took them.
-  Trace<Out> run(const std::vector<In>& tokens, std::vector<uint64_t>* accepted = nullptr) {
+  Trace<Out> run(const std::vector<In>& tokens, std::vector<Cycle>* accepted = nullptr) {
     Trace<Out> trace;
     size_t next = 0;
-    uint64_t last_event = unit_.cycle();
+    Cycle last_event = unit_.cycle();
     for (bool done = false; !done;) {
-      const uint64_t cycle = unit_.cycle();
+      const Cycle cycle = unit_.cycle();
       if (!in_.offered() && next < tokens.size() && !stalls_(Port::kInput, cycle)) {
         in_.offer(tokens[next++]);
       }
@@ -101,12 +101,12 @@ class InterpZtestBench {
   };
   /// Clears the memories, feeds all stamps, waits until the unit is idle.
   Writes run(const spec::FrameState& frame, const std::vector<spec::Stamp>& stamps,
-             std::vector<uint64_t>* accepted = nullptr) {
+             std::vector<Cycle>* accepted = nullptr) {
     return run_on(core::FrameBuffer(unit_.contract(), frame), frame, stamps, accepted);
   }
   /// The same on memories that hold something.
   Writes run_on(core::FrameBuffer memory, const spec::FrameState& frame,
-                const std::vector<spec::Stamp>& stamps, std::vector<uint64_t>* accepted = nullptr);
+                const std::vector<spec::Stamp>& stamps, std::vector<Cycle>* accepted = nullptr);
   const core::FrameBuffer& buffer() const { return memory_.buffer(); }
 
  private:

@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
 constexpr std::chrono::milliseconds kBetweenLooks{10};
 constexpr int kRemovals = 200;
 
-/// The folder, open and locked for this process alone; -1 where another one has it. Not inherited.
+/// Opens the folder and locks it for this process alone; -1 where another process has locked it.
+/// Processes that this one starts do not inherit the lock.
 int locked(const fs::path& folder, int how) {
   const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (file < 0 || flock(file, how) == 0) return file;
@@ -32,7 +33,7 @@ int locked(const fs::path& folder, int how) {
   return -1;
 }
 
-/// What has just been killed may still make a file.
+/// Tries more than once: a process that was just killed may still make a file.
 void remove_folder(const fs::path& folder) {
   std::error_code error;
   for (int i = 0; i < kRemovals; ++i) {
@@ -49,7 +50,7 @@ bool is_work_folder(const fs::directory_entry& entry) {
          std::regex_match(entry.path().filename().string(), name);
 }
 
-/// Those in the cache that nobody has locked; the cache itself is locked.
+/// Removes the folders in the cache that no process has locked. The caller has locked the cache.
 void sweep_locked(const fs::path& cache) {
   std::error_code error;
   std::vector<fs::path> folders;
@@ -69,7 +70,7 @@ void sweep_locked(const fs::path& cache) {
 WorkFolder::WorkFolder(const fs::path& cache, const std::string& key) {
   std::error_code error;
   fs::create_directories(cache, error);
-  // A folder is not swept before it is locked: the cache is, until then.
+  // Until the new folder is locked the cache is, so that nobody sweeps the folder away.
   const int cache_lock = locked(cache, LOCK_EX);
   std::string name = (cache / (key + ".XXXXXX")).string();
   if (!error && mkdtemp(name.data()) != nullptr) {
@@ -92,19 +93,19 @@ bool WorkFolder::run(const std::string& command) const {
   const pid_t child = fork();
   if (child < 0) return false;
   if (child == 0) {
-    setpgid(0, 0);                     // a group, so that all of it can be ended
-    prctl(PR_SET_PDEATHSIG, SIGTERM);  // also where this process can no longer do it
+    setpgid(0, 0);                     // a group of its own, so that all of it can be ended
+    prctl(PR_SET_PDEATHSIG, SIGTERM);  // ends it when this process dies
     execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     _exit(127);
   }
-  setpgid(child, child);  // whoever comes first
+  setpgid(child, child);  // here as well, since either process may come first
   int status = 0;
   pid_t ended = 0;
   while ((ended = waitpid(child, &status, WNOHANG)) == 0) {
     if (signals_.came()) kill(-child, SIGKILL);
     std::this_thread::sleep_for(kBetweenLooks);
   }
-  if (signals_.came()) throw PluginError("interrupted");  // not said: the program ends before that
+  if (signals_.came()) throw PluginError("interrupted");  // the program ends before it says so
   return ended == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 

@@ -46,17 +46,17 @@ class Tee {
 };
 
 /// Hands tokens on to a scoreboard and notes when triangles retire.
-class Observer final : public tb::Listener {
+class Observer final : public timing::Listener {
  public:
   explicit Observer(tb::Scoreboard* to) : to_(*to) {}
-  void prim(uint64_t cycle, const spec::SetupPrim& t) override { to_.prim(cycle, t); }
-  void stamp(uint64_t cycle, const spec::Stamp& t) override { to_.stamp(cycle, t); }
-  void depth(uint64_t cycle, const spec::DepthWrite& t) override {
-    retired_.note(static_cast<int64_t>(cycle), t.id);
+  void prim(timing::Cycle cycle, const spec::SetupPrim& t) override { to_.prim(cycle, t); }
+  void stamp(timing::Cycle cycle, const spec::Stamp& t) override { to_.stamp(cycle, t); }
+  void depth(timing::Cycle cycle, const spec::DepthWrite& t) override {
+    retired_.note(cycle, t.id);
     to_.depth(cycle, t);
   }
-  void color(uint64_t cycle, const spec::ColorWrite& t) override {
-    retired_.note(static_cast<int64_t>(cycle), t.id);
+  void color(timing::Cycle cycle, const spec::ColorWrite& t) override {
+    retired_.note(cycle, t.id);
     to_.color(cycle, t);
   }
   const std::vector<int64_t>& retired() const { return retired_.cycles(); }
@@ -64,20 +64,6 @@ class Observer final : public tb::Listener {
  private:
   tb::Scoreboard& to_;
   studies::RetireCycles retired_;
-};
-
-/// The SystemC model's tokens go where those of the benches go.
-class ModelListener final : public timing::Listener {
- public:
-  explicit ModelListener(tb::Listener* to) : to_(*to) {}
-  void prim(timing::Cycle c, const spec::SetupPrim& t) override { to_.prim(cycle(c), t); }
-  void stamp(timing::Cycle c, const spec::Stamp& t) override { to_.stamp(cycle(c), t); }
-  void depth(timing::Cycle c, const spec::DepthWrite& t) override { to_.depth(cycle(c), t); }
-  void color(timing::Cycle c, const spec::ColorWrite& t) override { to_.color(cycle(c), t); }
-
- private:
-  static uint64_t cycle(timing::Cycle c) { return static_cast<uint64_t>(c); }
-  tb::Listener& to_;
 };
 
 /// Samples whose memories differ. The SystemC model does not count hits.
@@ -116,16 +102,13 @@ Side check_model(const scene::Scene& scene, const spec::Contract& contract, timi
   tb::Scoreboard scoreboard("SystemC", contract, scene.frame,
                             [&](spec::Triangle* t) { return tee.follow(t); });
   Observer observer(&scoreboard);
-  ModelListener listener(&observer);
   timing::FrameResult result;
   const double seconds = seconds_of([&] {
     result = top->run(
-        scene.frame, [&](spec::Triangle* t) { return tee.pull(t, &scoreboard); }, &listener);
+        scene.frame, [&](spec::Triangle* t) { return tee.pull(t, &scoreboard); }, &observer);
   });
   Side side = conclude("SystemC", &scoreboard, reference, top->buffer(), false);
-  side.cycles = static_cast<uint64_t>(result.cycles);
-  side.spent = result.spent;
-  side.counters = result.counters;
+  side.frame = result;
   side.retired = observer.retired();
   side.seconds = seconds - triangles.load_seconds();
   return side;
@@ -141,26 +124,24 @@ Side check_rtl(const scene::Scene& scene, const tb::RtlLibrary& library,
                             [&](spec::Triangle* t) { return tee.follow(t); });
   Observer observer(&scoreboard);
   tb::FrameBench bench(library, options);
-  tb::FrameResult result;
+  timing::FrameResult result;
   const double seconds = seconds_of([&] {
     result = bench.run(
         scene.frame, [&](spec::Triangle* t) { return tee.pull(t, &scoreboard); }, &observer);
   });
   Side side = conclude("RTL", &scoreboard, reference, bench.buffer(),
                        !library.contract().design.hierarchical_z);
-  side.cycles = result.cycles;
-  side.spent = result.spent;
-  side.counters = result.counters;
+  side.frame = result;
   side.retired = observer.retired();
   side.seconds = seconds - triangles.load_seconds();
   return side;
 }
 
 void compare_counters(const spec::Contract& contract, CheckResult* r) {
-  const auto model = timing::counter_list(contract, r->model.spent, r->model.counters);
+  const auto model = timing::counter_list(contract, r->model.frame);
   r->counters_compared = model.size();
-  r->counters_differ = timing::counter_differences(
-      model, timing::counter_list(contract, r->rtl.spent, r->rtl.counters));
+  r->counters_differ =
+      timing::counter_differences(model, timing::counter_list(contract, r->rtl.frame));
 }
 
 Json check_json(const CheckResult& r, const scene::Scene& scene, const spec::Contract& contract) {
@@ -171,7 +152,8 @@ Json check_json(const CheckResult& r, const scene::Scene& scene, const spec::Con
   json["stamps"] = r.counters.stamps;
   json["fragments"] = r.counters.fragments;
   json["mismatches"] = r.mismatches();
-  json["cycles"] = {{"model", r.model.cycles}, {"rtl", r.rtl.cycles}, {"error", r.cycle_error()}};
+  json["cycles"] = {
+      {"model", r.model.frame.cycles}, {"rtl", r.rtl.frame.cycles}, {"error", r.cycle_error()}};
   json["retirement"] = retire_json(r.retire);
   json["first_retire_difference"] = difference_json(r.first_retire);
   json["counters_compared"] = r.counters_compared;
@@ -196,14 +178,14 @@ Json check_json(const CheckResult& r, const scene::Scene& scene, const spec::Con
   }
   json["input"] = input_json(r.input);
   json["counters"] = counters_json(r.counters);
-  add_cycles(r.model.spent, true, &json);
+  add_cycles(contract, r.model.frame, &json);
   return json;
 }
 
 void print(const Output& output, const CheckResult& r, const spec::Contract& contract,
            const std::string& out) {
   print_counters(output, r.counters);
-  print_cycles(output, contract, r.model.spent, true);
+  print_cycles(output, contract, r.model.frame);
   for (const Side* side : {&r.model, &r.rtl}) {
     output.row(side->name, fmt::format("{} tokens compared, {} mismatches, {} samples differ",
                                        grouped(side->compared), grouped(side->mismatches),
@@ -247,8 +229,8 @@ int run(const CheckOptions& options) {
   const tb::RtlLibrary library(contract, [&](const std::string& text) { output.say(text); });
   const std::string state = scene::unusual_state(scene.frame);
   const std::string settings =
-      fmt::format("cull {}, depth {}{}{}, {}, stalls {}, seed {}", scene::name_of(scene.frame.cull),
-                  scene::name_of(scene.frame.depth), state.empty() ? "" : ", ", state,
+      fmt::format("cull {}, depth {}{}{}, {}, stalls {}, seed {}", spec::name_of(scene.frame.cull),
+                  spec::name_of(scene.frame.depth), state.empty() ? "" : ", ", state,
                   memory_text(options, contract), options.stall, options.seed);
   output.line("{}: {}x{}, {}, {}", scene.name, scene.frame.width, scene.frame.height,
               contract.design.name, settings);

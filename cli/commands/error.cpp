@@ -129,8 +129,8 @@ Json subject_json(const studies::Subject& s, const studies::ErrorStudy& study) {
 
 Json error_json(const studies::ErrorStudy& study, const scene::Scene& scene, double seconds) {
   Json json{{"scene", scene.name}, {"width", study.width}, {"height", study.height}};
-  json["cull"] = scene::name_of(scene.frame.cull);
-  json["depth_func"] = scene::name_of(scene.frame.depth);
+  json["cull"] = spec::name_of(scene.frame.cull);
+  json["depth_func"] = spec::name_of(scene.frame.depth);
   const Json state = unusual_state_json(scene.frame);
   json.insert(state.begin(), state.end());
   json["seconds"] = seconds;
@@ -231,7 +231,7 @@ void join(studies::ErrorStudy other, studies::ErrorStudy* study) {
 std::string unknown_to_baselines(const spec::FrameState& frame) {
   std::string state = scene::unusual_state(frame);
   if (frame.depth > spec::DepthFunc::kOff) {
-    state += fmt::format("{}depth {}", state.empty() ? "" : ", ", scene::name_of(frame.depth));
+    state += fmt::format("{}depth {}", state.empty() ? "" : ", ", spec::name_of(frame.depth));
   }
   return state;
 }

@@ -1,10 +1,10 @@
 // pineda render: the functional model alone.
 #include <memory>
-#include <thread>
 
 #include "cli/job.h"
 #include "cli/report/pictures.h"
 #include "cli/triangles.h"
+#include "model/fast/band_renderer.h"
 
 namespace pineda::cli {
 namespace {
@@ -16,63 +16,7 @@ struct RenderOptions : Options {
   int threads = 1;
 };
 
-/// Draws a frame in bands of tile rows, one thread a band. Every band sets every triangle up again,
-/// so that no thread waits for another; bits do not depend on the number of bands.
-class BandRenderer {
- public:
-  BandRenderer(const spec::Contract& contract, const spec::FrameState& frame, int threads) {
-    const int tile = contract.design.tile_log2;
-    const int rows = ((frame.height - 1) >> tile) + 1;
-    const int bands = std::min(threads, rows);
-    for (int i = 0; i < bands; ++i) {
-      const core::TileRows band{rows * i / bands, rows * (i + 1) / bands - 1};
-      bands_.push_back(std::make_unique<core::Renderer>(contract, frame, band));
-    }
-  }
-
-  void clear() {
-    for_each_band([](core::Renderer* band) { band->clear(); });
-  }
-  void draw(const std::vector<spec::Triangle>& triangles) {
-    for_each_band([&triangles](core::Renderer* band) {
-      for (const auto& triangle : triangles) band->draw(triangle);
-    });
-  }
-
-  core::FrameCounters counters() const {
-    core::FrameCounters sum = bands_[0]->counters();
-    for (size_t i = 1; i < bands_.size(); ++i) {
-      const auto& c = bands_[i]->counters();
-      sum.tiles_tested += c.tiles_tested;
-      sum.tiles_rejected += c.tiles_rejected;
-      sum.tiles_accepted += c.tiles_accepted;
-      sum.stamps += c.stamps;
-      sum.fragments += c.fragments;
-      sum.interpolated += c.interpolated;
-      sum.passed += c.passed;
-    }
-    return sum;
-  }
-
-  core::FrameBuffer buffer() const {
-    core::FrameBuffer frame(bands_[0]->contract(), bands_[0]->frame());
-    for (const auto& band : bands_) band->copy_rows(&frame);
-    return frame;
-  }
-
- private:
-  template <class Work>
-  void for_each_band(Work work) {
-    std::vector<std::thread> others;
-    for (size_t i = 1; i < bands_.size(); ++i) others.emplace_back(work, bands_[i].get());
-    work(bands_[0].get());
-    for (auto& thread : others) thread.join();
-  }
-
-  std::vector<std::unique_ptr<core::Renderer>> bands_;
-};
-
-double draw_once(const scene::Scene& scene, Progress* progress, BandRenderer* renderer) {
+double draw_once(const scene::Scene& scene, Progress* progress, fast::BandRenderer* renderer) {
   ChunkedTriangles triangles(scene.source.get(), progress, "drawing");
   double seconds = 0;
   for (auto* chunk = &triangles.next_chunk(); !chunk->empty(); chunk = &triangles.next_chunk()) {
@@ -82,7 +26,7 @@ double draw_once(const scene::Scene& scene, Progress* progress, BandRenderer* re
 }
 
 double draw_repeatedly(const scene::Scene& scene, int runs, Progress* progress,
-                       BandRenderer* renderer) {
+                       fast::BandRenderer* renderer) {
   const auto triangles = load_all(scene.source.get(), progress);
   std::vector<double> seconds;
   for (int i = 0; i < runs; ++i) {
@@ -100,7 +44,7 @@ int run(const RenderOptions& options) {
   const Job job = open_job(options, lacks_nothing, false, output, &progress);
   const spec::Contract& contract = job.contract;
   const scene::Scene& scene = job.scene;
-  BandRenderer renderer(contract, scene.frame, options.threads);
+  fast::BandRenderer renderer(contract, scene.frame, options.threads);
   const double seconds = options.bench > 0
                              ? draw_repeatedly(scene, options.bench, &progress, &renderer)
                              : draw_once(scene, &progress, &renderer);

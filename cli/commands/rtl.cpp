@@ -25,7 +25,7 @@ struct RtlOptions : Options {
 };
 
 Json rtl_json(const RtlOptions& options, const tb::BenchOptions& bench, const Job& job,
-              const tb::FrameResult& result, double seconds) {
+              const timing::FrameResult& result, double seconds) {
   const scene::Counters& input = job.scene.source->counters();
   Json json = header_json(job.scene, job.contract);
   json["cycles"] = result.cycles;
@@ -35,7 +35,7 @@ Json rtl_json(const RtlOptions& options, const tb::BenchOptions& bench, const Jo
   json["stall"] = options.stall;
   json["input"] = input_json(input);
   json["counters"] = counters_json(result.counters);
-  add_cycles(result.spent, true, &json);
+  add_cycles(job.contract, result, &json);
   return json;
 }
 
@@ -61,16 +61,16 @@ int run(const RtlOptions& options) {
   std::optional<ReservedFile> trace;
   begin_trace(options.trace, bench.get(), &trace);
 
-  tb::FrameResult result;
-  const auto run_frame = [&](tb::Listener* listener) {
+  timing::FrameResult result;
+  const auto run_frame = [&](timing::Listener* listener) {
     return [&, listener](const tb::NextTriangle& next) {
       result = bench->run(scene.frame, next, listener);
     };
   };
   // Hits are known only to who looks at the stamps: a dump wants a run with a listener, which is
   // slower and so not the one that is timed by --bench.
-  tb::Listener looks;
-  tb::Listener* const listener = options.dump.empty() ? nullptr : &looks;
+  timing::Listener looks;
+  timing::Listener* const listener = options.dump.empty() ? nullptr : &looks;
   double seconds = 0;
   if (options.bench > 0) {
     seconds = frame_seconds(scene, options.bench, &progress, "RTL", run_frame(nullptr));
@@ -94,10 +94,10 @@ int run(const RtlOptions& options) {
   output.line("{}: {}x{}, {}, {}", scene.name, scene.frame.width, scene.frame.height,
               contract.design.name, memory_text(options, contract));
   print_state(output, scene);
-  output.row("cycles", grouped(result.cycles));
+  output.row("cycles", grouped(static_cast<uint64_t>(result.cycles)));
   print_memory(output, bench_opts);
   print_counters(output, result.counters);
-  print_cycles(output, contract, result.spent, true);
+  print_cycles(output, contract, result);
   output.row("seconds", fmt::format("{:.6f} ({:.2f} M cycles/s)", seconds,
                                     static_cast<double>(result.cycles) / seconds * 1e-6));
   if (!options.out.empty()) output.row("pictures", options.out + "/color.png, depth.png");

@@ -53,14 +53,14 @@ int run(const TimeOptions& options) {
   json["input"] = input_json(scene.source->counters());
   json["bits"] = result.knows_passed;
   json["counters"] = counters_json(result.counters, result.knows_passed);
-  add_cycles(result.spent, result.knows_passed, &json);
+  add_cycles(contract, result, &json);
   output.line("{}: {}x{}, {}, {}", scene.name, scene.frame.width, scene.frame.height,
               contract.design.name, memory_text(options, contract));
   print_state(output, scene);
   output.row("cycles", grouped(static_cast<uint64_t>(result.cycles)));
   print_memory(output, bench);
   print_counters(output, result.counters, result.knows_passed);
-  print_cycles(output, contract, result.spent, result.knows_passed);
+  print_cycles(output, contract, result);
   output.row("seconds", fmt::format("{:.6f} ({:.2f} M cycles/s)", seconds,
                                     static_cast<double>(result.cycles) / seconds * 1e-6));
   seeing.finish(result.spent.drained, output, &json);

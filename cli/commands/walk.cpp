@@ -44,6 +44,7 @@ struct WalkSink {
     if (!found) return;
     print_fields(output, contract, "Stamp: coverage, and planes at its tile's first sample", stamp);
   }
+  void fragment(const spec::Stamp&, const spec::Fragment&) {}
   void depth(const spec::DepthWrite& write) {
     if (found) print_fields(output, contract, "DepthWrite: the samples that pass", write);
   }

@@ -28,16 +28,19 @@ double mean_level(const std::vector<Cycle>& levels) {
 }
 
 void print_units(const Output& output, const CycleCounters& spent) {
-  static constexpr const char* kTitles[timing::kUnits] = {"setup", "traversal, tiles",
-                                                          "traversal, stamps", "interp_ztest"};
-  output.line("  {:<22}{:>9}{:>11}{:>11}{:>11}{:>11}", "unit", "busy", "starved", "blocked",
-              "hazard", "memory");
+  const auto width = [](size_t cause) { return cause == 0 ? 9 : 11; };
+  std::string head;
+  for (size_t c = 0; c < timing::kCauses; ++c) {
+    head += fmt::format("{:>{}}", timing::cause_name(static_cast<Cause>(c)), width(c));
+  }
+  output.line("  {:<22}{}", "unit", head);
   for (size_t u = 0; u < timing::kUnits; ++u) {
-    const timing::UnitCycles& c = spent.units[u];
-    const auto share = [&](Cause cause) { return percent(c[cause], c.total()); };
-    output.line("  {:<22}{:>7.2f} %{:>9.2f} %{:>9.2f} %{:>9.2f} %{:>9.2f} %", kTitles[u],
-                share(Cause::kBusy), share(Cause::kStarved), share(Cause::kBlocked),
-                share(Cause::kHazard), share(Cause::kMemory));
+    const timing::UnitCycles& cycles = spent.units[u];
+    std::string shares;
+    for (size_t c = 0; c < timing::kCauses; ++c) {
+      shares += fmt::format("{:>{}.2f} %", percent(cycles.spent[c], cycles.total()), width(c) - 2);
+    }
+    output.line("  {:<22}{}", timing::unit_title(static_cast<timing::Unit>(u)), shares);
   }
 }
 
@@ -81,32 +84,28 @@ void print_stamps(const Output& output, const CycleCounters& spent, size_t lanes
 
 }  // namespace
 
-void add_cycles(const CycleCounters& spent, bool depth_tests, Json* json) {
-  (*json)["drained"] = spent.drained;
-  for (size_t u = 0; u < timing::kUnits; ++u) {
-    Json& unit = (*json)["units"][timing::unit_name(static_cast<timing::Unit>(u))];
-    for (size_t c = 0; c < timing::kCauses; ++c) {
-      unit[timing::cause_name(static_cast<Cause>(c))] = spent.units[u].spent[c];
-    }
-  }
+void add_cycles(const spec::Contract& contract, const timing::FrameResult& result, Json* json) {
+  timing::for_each_cycle_counter(contract, result.spent,
+                                 [&](const timing::Counter& row, auto count) {
+                                   if (row.known == core::Known::kIfTested && !result.knows_passed)
+                                     return;
+                                   (*json)[Json::json_pointer(row.json)] = count;
+                                 });
   for (size_t f = 0; f < timing::kFifos; ++f) {
-    (*json)["fifos"][timing::fifo_name(static_cast<timing::Fifo>(f))] = {
-        {"levels", spent.levels[f]}, {"mean", mean_level(spent.levels[f])}};
+    (*json)["fifos"][timing::fifo_name(static_cast<timing::Fifo>(f))]["mean"] =
+        mean_level(result.spent.levels[f]);
   }
-  for (size_t p = 0; p < timing::kMemoryPorts; ++p) {
-    (*json)["port_stalls"][timing::port_name(static_cast<timing::MemoryPort>(p))] =
-        spent.port_stalls[p];
-  }
-  (*json)["stamps_by_samples"] = spent.stamps_by_samples;
-  if (!depth_tests) return;
-  (*json)["depth_tests"] = {{"passed", spent.samples_passed}, {"failed", spent.samples_failed}};
+  // As long as for the largest stamps of any design.
+  Json& stamps = (*json)["stamps_by_samples"];
+  while (stamps.size() < result.spent.stamps_by_samples.size()) stamps.push_back(0);
 }
 
-void print_cycles(const Output& output, const spec::Contract& contract, const CycleCounters& spent,
-                  bool depth_tests) {
+void print_cycles(const Output& output, const spec::Contract& contract,
+                  const timing::FrameResult& result) {
+  const CycleCounters& spent = result.spent;
   const bool depth = contract.design.depth_test;
   print_stamps(output, spent, static_cast<size_t>(contract.width.lanes));
-  if (depth && !depth_tests) {
+  if (depth && !result.knows_passed) {
     output.row("depth tests", "not needed for the time, so not made; --bits makes them");
   } else if (depth) {
     output.row("depth tests", fmt::format("{} passed, {} failed", grouped(spent.samples_passed),

@@ -2,16 +2,16 @@
 #pragma once
 
 #include "cli/output.h"
-#include "model/timing/cycles.h"
+#include "model/timing/counters.h"
 
 namespace pineda::cli {
 
-/// Adds "drained", "units", "fifos", "port_stalls", "stamps_by_samples" and "depth_tests".
-/// Without `depth_tests` their outcome is not known.
-void add_cycles(const timing::CycleCounters& spent, bool depth_tests, Json* json);
+/// Adds "drained", "units", "fifos", "port_stalls", "stamps_by_samples" and, where it is known what
+/// they came to, "depth_tests".
+void add_cycles(const spec::Contract& contract, const timing::FrameResult& result, Json* json);
 
 /// Shares by unit and cause, levels of the FIFOs, stalls of the ports, stamps, depth tests.
 void print_cycles(const Output& output, const spec::Contract& contract,
-                  const timing::CycleCounters& spent, bool depth_tests);
+                  const timing::FrameResult& result);
 
 }  // namespace pineda::cli

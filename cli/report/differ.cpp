@@ -11,8 +11,7 @@ namespace {
 using studies::Boundary;
 using studies::ByBoundary;
 using studies::Token;
-using ModelTokens = studies::TokenListener<timing::Listener, timing::Cycle>;
-using RtlTokens = studies::TokenListener<tb::Listener, uint64_t>;
+using studies::TokenListener;
 
 constexpr const char* kLooking = "looking at the difference";
 
@@ -32,8 +31,8 @@ studies::TokenDifference find_token(const Rerun& rerun, uint32_t triangle) {
         (*cycles)[static_cast<size_t>(boundary)].push_back(token.cycle);
     };
   };
-  ModelTokens model_tokens(keep(&model));
-  RtlTokens rtl_tokens(keep(&rtl));
+  TokenListener model_tokens(keep(&model));
+  TokenListener rtl_tokens(keep(&rtl));
   once_more(rerun, [&](const auto& pull) {
     return rerun.model->run(rerun.scene.frame, pull, &model_tokens);
   });
@@ -45,10 +44,10 @@ studies::TokenDifference find_token(const Rerun& rerun, uint32_t triangle) {
 }
 
 /// What the model's units do in one cycle, beside its tokens.
-class ModelStates final : public ModelTokens {
+class ModelStates final : public TokenListener {
  public:
   ModelStates(See see, timing::Cycle cycle, StatesAround* states)
-      : ModelTokens(std::move(see)), cycle_(cycle), states_(*states) {
+      : TokenListener(std::move(see)), cycle_(cycle), states_(*states) {
     states_.causes.fill(timing::Cause::kStarved);  // which is not reported
   }
   void spent(timing::Unit unit, timing::Cause cause, timing::Cycle from, timing::Cycle until,
@@ -72,10 +71,9 @@ void look_around(const Rerun& rerun, const std::string& waveform, FirstRetireDif
       states->tokens[static_cast<size_t>(boundary)].push_back(token);
     };
   };
-  RtlTokens rtl(keep(&d->rtl));
+  TokenListener rtl(keep(&d->rtl));
   tb::FrameBench bench(rerun.library, rerun.bench);
-  const tb::CloseUp close_up{static_cast<uint64_t>(d->from), static_cast<uint64_t>(at),
-                             static_cast<uint64_t>(d->until), waveform};
+  const tb::CloseUp close_up{d->from, at, d->until, waveform};
   d->rtl.causes = once_more(rerun, [&](const auto& pull) {
     return bench.run_close_up(rerun.scene.frame, pull, &rtl, close_up);
   });

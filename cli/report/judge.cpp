@@ -51,7 +51,7 @@ Judgement judge(const scene::Scene& scene, core::Renderer* renderer, Progress* p
     const auto bounds = judge::triangle_bounds(design, frame, screen.depth_slope());
     judgement.bounds.depth_ulp = std::max(judgement.bounds.depth_ulp, bounds.depth_ulp);
     comparison.begin(screen, bounds, triangle.id);
-    renderer->draw_showing_all(triangle, sink);
+    renderer->draw(triangle, sink);
     comparison.end();
   }
   if (mesh) judgement.mesh = mesh->finish();

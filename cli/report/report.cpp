@@ -12,10 +12,14 @@ std::string row(const std::string& name, const std::string& value) {
   return fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", escaped(name), escaped(value));
 }
 
+std::string cycles_of(const Side& side) {
+  return grouped(static_cast<uint64_t>(side.frame.cycles));
+}
+
 std::string side_row(const Side& s) {
   return fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                      escaped(s.name), grouped(s.compared), grouped(s.mismatches),
-                     grouped(s.differing_samples), grouped(s.cycles));
+                     grouped(s.differing_samples), cycles_of(s));
 }
 
 std::string first_retire_table(const CheckResult& r) {
@@ -51,8 +55,7 @@ std::string dropped_text(const core::FrameCounters& c) {
 }  // namespace
 
 std::string cycles_text(const CheckResult& r) {
-  const std::string text =
-      fmt::format("{} model, {} RTL", grouped(r.model.cycles), grouped(r.rtl.cycles));
+  const std::string text = fmt::format("{} model, {} RTL", cycles_of(r.model), cycles_of(r.rtl));
   if (r.cycle_error() <= studies::kCycleErrorBound) return text;
   return fmt::format("{}: {:.2f} % apart, bound {:.1f} %", text, 100 * r.cycle_error(),
                      100 * studies::kCycleErrorBound);

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include "cli/report/differ.h"
 #include "cli/report/judge.h"
 #include "model/scene/scene.h"
-#include "model/timing/counter_list.h"
+#include "model/timing/counters.h"
 
 namespace pineda::cli {
 
@@ -20,9 +20,7 @@ struct Side {
   uint64_t left_out = 0;           // stamps that hierarchical z kept from being sent
   uint64_t differing_samples = 0;  // of the memories at the end of the frame
   std::string first_divergence;
-  uint64_t cycles = 0;
-  timing::CycleCounters spent;
-  core::FrameCounters counters;
+  timing::FrameResult frame;
   std::vector<int64_t> retired;  // studies::RetireCycles
   double seconds = 0;
 };
@@ -45,8 +43,9 @@ struct CheckResult {
            hidden;
   }
   double cycle_error() const {
-    const auto apart = static_cast<double>(model.cycles) - static_cast<double>(rtl.cycles);
-    return std::abs(apart) / static_cast<double>(std::max<uint64_t>(1, rtl.cycles));
+    const timing::Cycle apart = std::abs(model.frame.cycles - rtl.frame.cycles);
+    return static_cast<double>(apart) /
+           static_cast<double>(std::max<timing::Cycle>(1, rtl.frame.cycles));
   }
   bool holds() const {
     return mismatches() == 0 && judgement.holds() && cycle_error() <= studies::kCycleErrorBound &&

@@ -2,11 +2,26 @@
 
 #include <algorithm>
 
+#include "model/core/lanes.h"
+
 namespace pineda::core {
 
 using spec::Contract;
 using spec::int128_t;
 using spec::Triangle;
+
+namespace {
+
+// Calls visit(lane, x, y) for each lane of `lanes`; x, y: px.
+template <class Visitor>
+void for_each_pixel(const Contract& c, const spec::Stamp& stamp, uint32_t lanes, Visitor&& visit) {
+  for_each_lane(c.design, lanes, [&](size_t lane, int column, int row) {
+    visit(lane, (stamp.x << c.design.stamp_width_log2) + column,
+          (stamp.y << c.design.stamp_height_log2) + row);
+  });
+}
+
+}  // namespace
 
 ExactPlanes::Step ExactPlanes::divide(int128_t numerator, int64_t denominator) {
   int128_t quotient = numerator / denominator;
@@ -95,23 +110,12 @@ ExactPlanes::Step ExactPlanes::depth_bias(const Contract& c, const spec::FrameSt
   return {static_cast<uint64_t>(whole) + rest.quotient, rest.remainder};
 }
 
-template <class Visitor>
-void ExactPlanes::for_each_lane(const Contract& c, const spec::Stamp& stamp, uint32_t lanes,
-                                Visitor&& visit) {
-  const int width = 1 << c.design.stamp_width_log2;
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const int lane = __builtin_ctz(lanes);
-    visit(static_cast<size_t>(lane), stamp.x * width + lane % width,
-          (stamp.y << c.design.stamp_height_log2) + lane / width);
-  }
-}
-
 void ExactPlanes::depth(const Contract& c, const spec::Stamp& stamp,
                         spec::Fragment* fragment) const {
   std::fill_n(fragment->z.begin(), c.width.lanes, 0);
   if (!c.design.depth_test) return;
   const int64_t top = (int64_t{1} << c.design.depth_bits) - 1;
-  for_each_lane(c, stamp, stamp.mask, [&](size_t lane, int x, int y) {
+  for_each_pixel(c, stamp, stamp.mask, [&](size_t lane, int x, int y) {
     fragment->z[lane] = static_cast<uint32_t>(std::clamp<int64_t>(nearest(z_, x, y), 0, top));
   });
 }
@@ -122,7 +126,7 @@ void ExactPlanes::attributes(const Contract& c, const spec::Stamp& stamp, uint32
   for (size_t lane = 0; lane < static_cast<size_t>(c.width.lanes); ++lane) {
     if ((lanes >> lane & 1) == 0) std::fill_n(fragment->attr[lane].begin(), n, 0);
   }
-  for_each_lane(c, stamp, lanes, [&](size_t lane, int x, int y) {
+  for_each_pixel(c, stamp, lanes, [&](size_t lane, int x, int y) {
     for (size_t a = 0; a < n; ++a) {
       fragment->attr[lane][a] = static_cast<int32_t>(nearest(attr_[a], x, y));
     }

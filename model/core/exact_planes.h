@@ -41,9 +41,6 @@ class ExactPlanes {
               const std::array<int64_t, 3>& value, int fraction_bits) const;
   Step depth_bias(const spec::Contract& contract, const spec::FrameState& frame,
                   const spec::Triangle& triangle) const;
-  template <class Visitor>
-  static void for_each_lane(const spec::Contract& contract, const spec::Stamp& stamp,
-                            uint32_t lanes, Visitor&& visit);
 
   int64_t area2_;  // positive when clockwise
   Plane z_;

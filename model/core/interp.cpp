@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/core/lanes.h"
 #include "model/core/perspective.h"
 
 namespace pineda::core {
@@ -42,16 +43,12 @@ uint32_t depth_code(const Contract& c, const spec::PlaneSet& planes, int i, int 
 
 // Calls visit(lane, i, j) for each lane of `lanes`; i, j: px from the corner of the stamp's tile.
 template <class Visitor>
-void for_each_lane(const Contract& c, const Stamp& stamp, uint32_t lanes, Visitor&& visit) {
+void for_each_place(const Contract& c, const Stamp& stamp, uint32_t lanes, Visitor&& visit) {
   const spec::Design& d = c.design;
   const int tile_mask = (1 << d.tile_log2) - 1;
   const int x = (stamp.x << d.stamp_width_log2) & tile_mask;
   const int y = (stamp.y << d.stamp_height_log2) & tile_mask;
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const int lane = __builtin_ctz(lanes);
-    visit(static_cast<size_t>(lane), x + (lane & ((1 << d.stamp_width_log2) - 1)),
-          y + (lane >> d.stamp_width_log2));
-  }
+  for_each_lane(d, lanes, [&](size_t lane, int i, int j) { visit(lane, x + i, y + j); });
 }
 
 template <class Write>
@@ -91,7 +88,7 @@ void interpolate_depth(const Contract& c, const Stamp& stamp, Fragment* fragment
   const spec::Design& d = c.design;
   std::fill_n(fragment->z.begin(), c.width.lanes, 0);
   if (!d.depth_test) return;
-  for_each_lane(c, stamp, stamp.mask, [&](size_t lane, int i, int j) {
+  for_each_place(c, stamp, stamp.mask, [&](size_t lane, int i, int j) {
     fragment->z[lane] = depth_code(c, stamp.planes, i, j);
   });
 }
@@ -120,7 +117,7 @@ void interpolate_attributes(const Contract& c, const Stamp& stamp, uint32_t lane
   for (size_t lane = 0; lane < static_cast<size_t>(c.width.lanes); ++lane) {
     if ((lanes >> lane & 1) == 0) std::fill_n(fragment->attr[lane].begin(), attributes, 0);
   }
-  for_each_lane(c, stamp, lanes, [&](size_t lane, int i, int j) {
+  for_each_place(c, stamp, lanes, [&](size_t lane, int i, int j) {
     if (d.perspective) {
       perspective_attributes(c, stamp, i, j, &fragment->attr[lane]);
       return;
@@ -155,10 +152,7 @@ DepthWrite depth_write(const Contract& c, const Stamp& stamp, const Fragment& fr
                        uint32_t passed) {
   DepthWrite write;
   address(stamp, passed, &write);
-  for (int lane = 0; lane < c.width.lanes; ++lane) {
-    const auto l = static_cast<size_t>(lane);
-    if ((passed >> lane & 1) != 0) write.z[l] = fragment.z[l];
-  }
+  for_each_lane(c.design, passed, [&](size_t lane, int, int) { write.z[lane] = fragment.z[lane]; });
   return write;
 }
 

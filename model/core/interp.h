@@ -6,12 +6,11 @@
 namespace pineda::core {
 
 /// Bits     depth, the definition: ref + i*dx + j*dy modulo the plane's width, F' fraction bits,
-/// plus
-///          the bias; then one rounding (half up) and a clamp to the output's range.
+///          plus the bias; then one rounding (half up) and a clamp to the output's range.
 /// In       a stamp.
 /// Out      fragment->z: depth codes at the covered lanes, 0 in the others.
 /// Errors   |z - exact| <= .68 code for high_tile.
-/// Twin     rtl/interpolator.sv.
+/// Twin     rtl/interp/depth_interpolator.sv, rtl/interp/depth_code.sv.
 void interpolate_depth(const spec::Contract& contract, const spec::Stamp& stamp,
                        spec::Fragment* fragment);
 

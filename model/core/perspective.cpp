@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "model/core/reciprocal.h"
-
 namespace pineda::core {
 
 using spec::Contract;
@@ -25,8 +23,9 @@ int64_t edge_value(const Contract& c, const spec::EdgeFunction& edge, int32_t lo
   return e * (int64_t{1} << c.design.subpixel_bits) + low + (top_left ? 0 : 1);
 }
 
-// E/w of the vertices in units that they share, the greatest in [2^25, 2^26).
-std::array<int64_t, 3> products(const Contract& c, const Stamp& stamp, int i, int j) {
+}  // namespace
+
+std::array<int64_t, 3> weight_products(const Contract& c, const Stamp& stamp, int i, int j) {
   const spec::PerspectiveSet& p = stamp.planes.perspective;
   std::array<int128_t, 3> exact;
   int top = 0;  // bits of the greatest, at the scale of a vertex with shift 0
@@ -48,12 +47,8 @@ std::array<int64_t, 3> products(const Contract& c, const Stamp& stamp, int i, in
   return cut;
 }
 
-}  // namespace
-
-void perspective_attributes(const Contract& c, const Stamp& stamp, int i, int j,
-                            spec::Attributes* attr) {
-  const auto product = products(c, stamp, i, j);
-  const Reciprocal r = reciprocal(c, product[0] + product[1] + product[2]);
+void weigh_attributes(const Contract& c, const Stamp& stamp, const std::array<int64_t, 3>& product,
+                      const Reciprocal& r, spec::Attributes* attr) {
   // product * mantissa * 2^(1 - k - length) in units of 2^-24.
   const int shift = c.design.reciprocal_bits + r.length - 1 - spec::kWeightFractionBits;
   const int64_t one = int64_t{1} << spec::kWeightFractionBits;
@@ -70,6 +65,12 @@ void perspective_attributes(const Contract& c, const Stamp& stamp, int i, int j,
     const int64_t value = round_half_up(sum, spec::kWeightFractionBits);
     (*attr)[n] = static_cast<int32_t>(std::clamp<int64_t>(value, 0, top));
   }
+}
+
+void perspective_attributes(const Contract& c, const Stamp& stamp, int i, int j,
+                            spec::Attributes* attr) {
+  const auto product = weight_products(c, stamp, i, j);
+  weigh_attributes(c, stamp, product, reciprocal(c, product[0] + product[1] + product[2]), attr);
 }
 
 }  // namespace pineda::core

@@ -1,16 +1,32 @@
 // Attributes corrected by perspective: weights from E_i/w_i, the same precision at every sample.
 #pragma once
 
+#include "model/core/reciprocal.h"
 #include "model/spec/structs.h"
 
 namespace pineda::core {
 
+/// The weights of the three vertices at one sample of a stamp, in units that they share.
+///
+/// Bits     the definition: for each vertex the product E*inverse_w, exact; the three cut off to
+///          units in which the greatest has 26 bits.
+/// In       a stamp of a design with perspective; i, j: px from the corner of its tile, of a sample
+///          that the triangle covers.
+std::array<int64_t, 3> weight_products(const spec::Contract& contract, const spec::Stamp& stamp,
+                                       int i, int j);
+
+/// The attributes where vertices weigh so much.
+///
+/// Bits     the definition: weights U1.24 of vertices 1 and 2, rounded half up, at most 1;
+///          a0 + g1*(a1 - a0) + g2*(a2 - a0), rounded half up and clamped.
+/// In       weight_products(), and the reciprocal of their sum.
+void weigh_attributes(const spec::Contract& contract, const spec::Stamp& stamp,
+                      const std::array<int64_t, 3>& product, const Reciprocal& reciprocal,
+                      spec::Attributes* attr);
+
 /// The attributes at one sample of a stamp.
 ///
-/// Bits     the definition. For each vertex the product E*inverse_w, exact; the three cut off to
-///          units that they share, in which the greatest has 26 bits; their sum's reciprocal as
-///          reciprocal() gives it; weights U1.24 of vertices 1 and 2, rounded half up, at most 1;
-///          a0 + g1*(a1 - a0) + g2*(a2 - a0), rounded half up and clamped.
+/// Bits     the definition: weight_products(), the reciprocal() of their sum, weigh_attributes().
 /// In       a stamp of a design with perspective; i, j: px from the corner of its tile, of a sample
 ///          that the triangle covers.
 /// Out      attr: the interpolated attributes.

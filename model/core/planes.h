@@ -2,7 +2,6 @@
 #pragma once
 
 #include "model/core/reciprocal.h"
-#include "model/core/setup.h"
 #include "model/spec/structs.h"
 
 namespace pineda::core {
@@ -14,19 +13,30 @@ struct PlaneSetup {
   std::array<int64_t, 2> dy;
   int64_t ref_x;  // first sample from the anchor, subpixels
   int64_t ref_y;
-  std::array<const spec::Vertex*, 3> v;
-  std::array<const spec::Vertex*, 3> painted;  // whose attributes they have
 };
 
-/// Whether 64 bits hold all of an attribute's plane on its way: then all of them are made side by
-/// side. The bits are the same.
-bool has_narrow_attributes(const spec::Contract& contract);
+/// The plane through three values at the triangle's vertices.
+///
+/// Bits     the definition. Gradients: numerator * mantissa, exact, rounded once, half up, to F
+///          fraction bits. The value at the first sample: from the anchor's by the rounded
+///          gradients, exact, rounded once, half up. All wrap modulo 2^bits, in the end.
+/// In       values with `fraction_bits`.
+/// Twin     rtl/setup/setup_plane.sv.
+spec::Plane plane(const spec::Contract& contract, const PlaneSetup& setup,
+                  const std::array<int64_t, 3>& value, int fraction_bits, int bits);
 
-/// Bits     part of setup(): what its planes are made of, and depth's bias.
-/// In       a design with a reciprocal; wanted: depth's plane or all of them.
-/// Out      the planes that the design has. Attributes come in groups of four; planes of a group
-///          that the design lacks are of no use.
-void make_planes(const spec::Contract& contract, const spec::FrameState& frame,
-                 const PlaneSetup& shared, Planes wanted, spec::PlaneSet* set);
+/// max(|dz/dx|, |dz/dy|) in units of 2^-8 codes/px, before it wraps, saturated.
+///
+/// Bits     the definition: the gradients rounded half up to 8 fraction bits.
+/// Twin     rtl/setup/setup_magnitude.sv.
+int64_t depth_magnitude(const spec::Contract& contract, const PlaneSetup& setup,
+                        const std::array<int64_t, 3>& z);
+
+/// The bias of a triangle's depth: constant + slope * magnitude in units of 2^-16 codes, saturated.
+///
+/// Bits     the definition.
+/// Twin     rtl/setup/setup_plane_bias.sv.
+int64_t depth_bias(const spec::Contract& contract, const spec::FrameState& frame,
+                   int64_t magnitude);
 
 }  // namespace pineda::core

@@ -1,7 +1,6 @@
 // Triangle setup: one snapped triangle in, three edge functions and the planes out.
 #pragma once
 
-#include "model/core/reciprocal.h"
 #include "model/spec/structs.h"
 
 namespace pineda::core {
@@ -19,22 +18,19 @@ inline constexpr int kDropCauses = 5;
 /// "zero area", "facing", "no sample", "outside"; "" for kNone.
 const char* drop_name(Drop drop);
 
-/// What of a triangle is set up: always its box and edges, and of its planes none, depth's or all.
-enum class Planes : uint8_t { kNone, kDepth, kAll };
-
+/// Sets a triangle up.
+///
 /// Bits     the definition of every output bit of setup.
 /// In       a triangle with vertices inside the guard band; the frame's state.
-/// Out      *out when the result is kNone: canonical order (topmost, then leftmost vertex first,
-///          positive area), edges and planes at the first sample of the box's first tile. A design
-///          without a reciprocal has no planes here: see exact_planes.h.
-/// Drops    says why; *out is then of no use.
-///          Depth bias: constant + slope * max(|dz/dx|, |dz/dy|), the gradients rounded to 8
-///          fraction bits, halves up, before they wrap, and saturated; the bias saturates in turn.
-///          Flat shading gives vertex 0's attributes to all three.
+/// Out      *out when the result is kNone: canonical order (clockwise from the topmost, then
+///          leftmost vertex), edges and planes at the first sample of the box's first tile. Flat
+///          shading gives the attributes of the scene's vertex 0 to all three. A design without a
+///          reciprocal has no planes here: see exact_planes.h.
+/// Drops    says why; *out is then as it was.
 /// Errors   none: every intermediate fits by widths(), and what may wrap wraps by design.
-/// Twin     rtl/setup/setup_unit.sv. Source: Pineda, SIGGRAPH 1988; Direct3D 11.3 spec 3.4.2.1
-/// (top-left).
+/// Twin     rtl/setup/setup_unit.sv.
+/// Source   Pineda, SIGGRAPH 1988; Direct3D 11.3 functional spec 3.4.2.1 (top-left).
 Drop setup(const spec::Contract& contract, const spec::FrameState& frame,
-           const spec::Triangle& triangle, spec::SetupPrim* out, Planes planes = Planes::kAll);
+           const spec::Triangle& triangle, spec::SetupPrim* out);
 
 }  // namespace pineda::core

@@ -1,6 +1,8 @@
 // Traversal: the tiles of a triangle's box, then the stamps of each tile that is not rejected.
 #pragma once
 
+#include "model/core/frame_counters.h"
+#include "model/core/lanes.h"
 #include "model/spec/structs.h"
 
 namespace pineda::core {
@@ -17,7 +19,7 @@ bool clip_rows(const spec::Contract& contract, int first, int last, spec::SetupP
 ///          corner sample, and an edge accepts a tile when it is >= 0 at its worst corner sample.
 /// In       a SetupPrim.
 /// Out      next(): one tile test a call; *tile is written when the tile is kept.
-/// Twin     rtl/traversal/traversal_unit.sv (one test a cycle).
+/// Twin     rtl/traversal/tile_walker.sv (one test a cycle).
 class TileWalk {
  public:
   enum class Test { kRejected, kKept, kEnd };
@@ -41,8 +43,11 @@ class TileWalk {
 
 /// Walks the stamps of a tile inside the box, row by row from the top, each from the left.
 ///
+/// Bits     the definition. A sample is covered when it is in the box and no edge is negative
+///          there; an edge that accepts the tile is not asked.
 /// Out      next(): one stamp test a call; false when the tile is done. An empty stamp (*mask = 0)
 ///          is tested but not sent.
+/// Twin     rtl/traversal/stamp_walker.sv (one test a cycle).
 class StampWalk {
  public:
   StampWalk(const spec::Contract& contract, const Tile& tile);
@@ -60,5 +65,38 @@ class StampWalk {
   int first_x_, last_x_, last_y_;  // stamps, from the tile's corner
   int x_, y_;
 };
+
+/// Calls visit(stamp) for each stamp of a triangle that has a covered sample, in order, and counts
+/// tiles, stamps and samples.
+///
+/// Bits     those of TileWalk and StampWalk.
+template <class Visitor>
+void for_each_stamp(const spec::Contract& contract, const spec::SetupPrim& prim,
+                    FrameCounters* counters, Visitor&& visit) {
+  TileWalk tiles(contract, prim);
+  Tile tile;
+  spec::Stamp stamp;
+  for (TileWalk::Test test; (test = tiles.next(&tile)) != TileWalk::Test::kEnd;) {
+    ++counters->tiles_tested;
+    if (test == TileWalk::Test::kRejected) {
+      ++counters->tiles_rejected;
+      continue;
+    }
+    counters->tiles_accepted += tile.accepted == 7 ? 1 : 0;
+    StampWalk stamps(contract, tile);
+    stamps.begin(&stamp);
+    while (stamps.next(&stamp.mask, &stamp.x, &stamp.y)) {
+      if (stamp.mask == 0) continue;
+      ++counters->stamps;
+      counters->fragments += static_cast<uint64_t>(count_lanes(stamp.mask));
+      visit(static_cast<const spec::Stamp&>(stamp));
+    }
+  }
+}
+template <class Visitor>
+void for_each_stamp(const spec::Contract& contract, const spec::SetupPrim& prim, Visitor&& visit) {
+  FrameCounters uncounted;
+  for_each_stamp(contract, prim, &uncounted, visit);
+}
 
 }  // namespace pineda::core

@@ -138,9 +138,9 @@ struct Sample {
 ///          nearest. Values are interpolated between these snapped values at snapped positions; z
 ///          linearly on the screen; with perspective a = sum(E_i a_i/w_i) / sum(E_i/w_i), where w
 ///          is the binary32 w taken exactly and E_i is weights().
+/// Drops    a NaN in x, y, z or w of any vertex drops the triangle.
 /// Errors   std::out_of_range: a format or a bias beyond its range, a colour beyond 8 bits, w not a
 ///          positive normal float.
-/// Drops    a NaN in x, y, z or w of any vertex drops the triangle.
 class ScreenJudge {
  public:
   ScreenJudge(const ScreenTriangle& triangle, const Format& format, const Frame& frame);

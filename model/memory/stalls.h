@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "model/memory/port.h"
+#include "model/spec/random.h"
 
 namespace pineda::memory {
 
@@ -45,24 +46,22 @@ class Stalls {
   bool any() const { return mode_ != StallMode::kNone; }
   /// Does this port stand still in this cycle? Every 32 cycles a port draws how busy it is: never,
   /// one cycle in four, in two, or seven in eight.
-  bool operator()(Port port, uint64_t cycle) const {
+  bool operator()(Port port, Cycle cycle) const {
     const bool source = port < Port::kOutput;
     if (mode_ == StallMode::kNone || (mode_ == StallMode::kSource && !source) ||
         (mode_ == StallMode::kSink && source)) {
       return false;
     }
+    const auto time = static_cast<uint64_t>(cycle);
     static constexpr uint64_t kEighths[] = {0, 2, 4, 7};
-    const uint64_t busy = kEighths[hash(port, cycle / 32) >> 8 & 3];
-    return (hash(port, ~cycle) >> 8 & 7) < busy;
+    const uint64_t busy = kEighths[hash(port, time / 32) >> 8 & 3];
+    return (hash(port, ~time) >> 8 & 7) < busy;
   }
 
  private:
-  // splitmix64's finalizer over seed, port and time.
+  // Random numbers that can be read in any order, of the port and the time.
   uint64_t hash(Port port, uint64_t time) const {
-    uint64_t x = seed_ + 0x9e3779b97f4a7c15u * (time + (static_cast<uint64_t>(port) << 56));
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
+    return spec::SplitMix64::at(seed_, time + (static_cast<uint64_t>(port) << 56));
   }
 
   StallMode mode_ = StallMode::kNone;

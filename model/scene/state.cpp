@@ -2,45 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 
 namespace pineda::scene {
-
-template <>
-const std::vector<std::string>& words_of<spec::Cull>() {
-  static const std::vector<std::string> words{"none", "back", "front"};
-  return words;
-}
-
-template <>
-const std::vector<std::string>& words_of<spec::DepthFunc>() {
-  static const std::vector<std::string> words{"less",    "lequal",   "off",    "never", "equal",
-                                              "greater", "notequal", "gequal", "always"};
-  return words;
-}
-
-template <>
-const std::vector<std::string>& words_of<spec::Shade>() {
-  static const std::vector<std::string> words{"smooth", "flat"};
-  return words;
-}
-
-template <>
-const std::vector<std::string>& words_of<bool>() {
-  static const std::vector<std::string> words{"off", "on"};
-  return words;
-}
-
-std::string alternatives(const std::vector<std::string>& words) {
-  std::string text = words.front();
-  for (size_t i = 1; i < words.size(); ++i) {
-    text += (i + 1 < words.size() ? ", " : " or ") + words[i];
-  }
-  return text;
-}
 
 void set_scissor(int x_px, int y_px, int width_px, int height_px, spec::FrameState* frame) {
   // Left of 0 and beyond kNoScissorPx there is no frame.
@@ -102,7 +70,7 @@ std::string unusual_state(const spec::FrameState& f) {
   if (f.clear_depth != 1) {
     add(fmt::format("clear depth {}", static_cast<float>(f.clear_depth)));
   }
-  if (f.shade != spec::Shade::kSmooth) add("shade " + name_of(f.shade));
+  if (f.shade != spec::Shade::kSmooth) add(std::string("shade ") + name_of(f.shade));
   return text;
 }
 

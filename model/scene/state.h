@@ -1,44 +1,12 @@
-// Raster state in words, as .tri lines and options say it.
+// Raster state as .tri lines and options say it; its words stand in spec/raster_state.h.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "model/spec/structs.h"
 
 namespace pineda::scene {
-
-/// The words for a state, in the order of its values: spec::Cull, spec::DepthFunc, spec::Shade, and
-/// bool for off and on.
-template <class T>
-const std::vector<std::string>& words_of();
-template <>
-const std::vector<std::string>& words_of<spec::Cull>();
-template <>
-const std::vector<std::string>& words_of<spec::DepthFunc>();
-template <>
-const std::vector<std::string>& words_of<spec::Shade>();
-template <>
-const std::vector<std::string>& words_of<bool>();
-
-template <class T>
-const std::string& name_of(T value) {
-  return words_of<T>().at(static_cast<size_t>(value));
-}
-
-template <class T>
-std::optional<T> named(std::string_view word) {
-  const auto& words = words_of<T>();
-  const auto found = std::find(words.begin(), words.end(), word);
-  if (found == words.end()) return std::nullopt;
-  return static_cast<T>(found - words.begin());
-}
-
-/// "none, back or front".
-std::string alternatives(const std::vector<std::string>& words);
 
 /// Samples of a rectangle alone; it may reach beyond the frame on every side. Width and height are
 /// not negative.

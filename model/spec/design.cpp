@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "model/spec/widths.h"
+#include "model/spec/parameters.h"
 
 namespace pineda::spec {
 
@@ -103,17 +102,6 @@ const std::vector<Design>& designs() {
   return all;
 }
 
-const char* reciprocal_scheme_name(ReciprocalScheme scheme) {
-  static constexpr const char* kNames[] = {"newton", "quadratic", "restoring2", "restoring4",
-                                           "none"};
-  return kNames[static_cast<int>(scheme)];
-}
-
-const char* setup_style_name(SetupStyle style) {
-  static constexpr const char* kNames[] = {"stepped", "pipelined", "serial"};
-  return kNames[static_cast<int>(style)];
-}
-
 const Design* find_design(const std::string& name) {
   for (const auto& design : designs()) {
     if (name == design.name) return &design;
@@ -122,59 +110,6 @@ const Design* find_design(const std::string& name) {
 }
 
 namespace {
-
-bool has_rom(const Design& d) {
-  return d.reciprocal_scheme == ReciprocalScheme::kNewton ||
-         d.reciprocal_scheme == ReciprocalScheme::kQuadratic;
-}
-
-/// A parameter beyond its range, by the key and in the unit of a design file.
-std::string range_reason(const Design& d) {
-  const auto outside = [](const char* what, int value, int low, int high) {
-    return value < low || value > high
-               ? fmt::format("{} is {}, must be {} to {}", what, value, low, high)
-               : std::string();
-  };
-  const auto side_outside = [](const char* what, int log2, int low, int high) {
-    return log2 < low || log2 > high ? fmt::format("{} is {}, must be {} to {}", what,
-                                                   std::exp2(log2), std::exp2(low), std::exp2(high))
-                                     : std::string();
-  };
-  const bool newton = d.reciprocal_scheme == ReciprocalScheme::kNewton;
-  const bool has_planes = has_reciprocal(d);
-  const auto outside_if = [&](bool used, const char* what, int value, int low, int high) {
-    return used ? outside(what, value, low, high) : std::string();
-  };
-  for (const auto& reason :
-       {outside("subpixel_bits", d.subpixel_bits, 4, 12),
-        outside("guard_bits", d.guard_bits, 4, 14),
-        outside_if(d.depth_test, "depth_bits", d.depth_bits, 16, 32),
-        outside("attributes", d.attributes, 0, kMaxAttributes),
-        outside("flat_attributes", d.flat_attributes, 0, kMaxAttributes - d.attributes),
-        outside("attribute_bits", d.attribute_bits, 1, 16),
-        outside_if(d.perspective, "inverse_w_bits", d.inverse_w_bits, 8, 24),
-        outside_if(has_rom(d), "reciprocal_lut_bits", d.reciprocal_lut_bits, 4, 12),
-        outside_if(newton, "reciprocal_newton_steps", d.reciprocal_newton_steps, 0, 2),
-        outside_if(has_planes, "reciprocal_bits", d.reciprocal_bits, 12, 32),
-        outside_if(has_planes, "gradient_fraction_bits", d.gradient_fraction_bits, 8, 20),
-        outside_if(has_planes, "tile_fraction_bits", d.tile_fraction_bits, 1,
-                   d.gradient_fraction_bits),
-        side_outside("tile_px", d.tile_log2, 2, std::min(6, d.guard_bits - 1)),
-        outside_if(d.hierarchical_z, "hierarchical_z_bits", d.hierarchical_z_bits, 4, 16),
-        outside_if(d.hierarchical_z, "hierarchical_z_tiles", d.hierarchical_z_tiles, 1, 1 << 20),
-        outside_if(d.hierarchical_z, "hierarchical_z_delay_cycles", d.hierarchical_z_delay_cycles,
-                   1, 64),
-        outside("prim_fifo_depth", d.prim_fifo_depth, 1, 1024),
-        outside("tile_fifo_depth", d.tile_fifo_depth, 1, 1024),
-        outside("stamp_fifo_depth", d.stamp_fifo_depth, 1, 1024),
-        side_outside("stamp_width_px", d.stamp_width_log2, 0, 2),
-        side_outside("stamp_height_px", d.stamp_height_log2, 0, 2),
-        outside("max_depth_latency_cycles", d.max_depth_latency_cycles, 1, 1024),
-        outside("depth_latency_cycles", d.depth_latency_cycles, 1, d.max_depth_latency_cycles)}) {
-    if (!reason.empty()) return reason;
-  }
-  return {};
-}
 
 /// Parts that need another.
 std::string combination_reason(const Design& d) {
@@ -195,7 +130,7 @@ std::string combination_reason(const Design& d) {
   if (!has_rom(d) && (d.perspective || (has_planes && d.setup_style == SetupStyle::kPipelined))) {
     return fmt::format("{} needs reciprocal_scheme newton or quadratic: {} takes many cycles",
                        d.perspective ? "perspective" : "setup_style pipelined",
-                       reciprocal_scheme_name(d.reciprocal_scheme));
+                       name_of(d.reciprocal_scheme));
   }
   // The gradient's shift (k + bit_length(area2) - 1 - F - S for an attribute) must not be negative.
   if (has_planes && d.reciprocal_bits < d.gradient_fraction_bits + d.subpixel_bits) {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "model/spec/names.h"
+
 namespace pineda::spec {
 
 /// How the planes get from numerators to gradients.
@@ -15,8 +17,14 @@ enum class ReciprocalScheme {
   kNone,        // no reciprocal: planes step by quotient and remainder and are never rounded
 };
 
-/// "newton", "quadratic", "restoring2", "restoring4", "none".
-const char* reciprocal_scheme_name(ReciprocalScheme scheme);
+inline constexpr Name<ReciprocalScheme> kReciprocalSchemeNames[] = {
+    {ReciprocalScheme::kNewton, "newton"},
+    {ReciprocalScheme::kQuadratic, "quadratic"},
+    {ReciprocalScheme::kRestoring2, "restoring2"},
+    {ReciprocalScheme::kRestoring4, "restoring4"},
+    {ReciprocalScheme::kNone, "none"},
+};
+constexpr const auto& names(ReciprocalScheme) { return kReciprocalSchemeNames; }
 
 /// How many triangles share a multiplier in setup.
 enum class SetupStyle {
@@ -25,10 +33,15 @@ enum class SetupStyle {
   kSerial,     // one multiplier for every product of a triangle
 };
 
-/// "stepped", "pipelined", "serial".
-const char* setup_style_name(SetupStyle style);
+inline constexpr Name<SetupStyle> kSetupStyleNames[] = {
+    {SetupStyle::kStepped, "stepped"},
+    {SetupStyle::kPipelined, "pipelined"},
+    {SetupStyle::kSerial, "serial"},
+};
+constexpr const auto& names(SetupStyle) { return kSetupStyleNames; }
 
-/// Parameters of one rasterizer. widths() derives every width from them; see widths.h.
+/// Parameters of one rasterizer: their keys, ranges and meanings stand in parameters.h. widths()
+/// derives every width from them; see widths.h.
 /// A plain aggregate: named designs are constexpr, others can be read from a file.
 struct Design {
   const char* name = "high_tile";
@@ -83,6 +96,10 @@ struct Design {
 
 inline constexpr Design kHighTile{};
 
+/// Array bounds of the C++ structs; a design may use less.
+inline constexpr int kMaxAttributes = 16;
+inline constexpr int kMaxLanes = 16;
+
 /// Values that setup makes planes of: depth and affine attributes.
 constexpr int plane_count(const Design& d) {
   return (d.depth_test ? 1 : 0) + (d.perspective ? 0 : d.attributes);
@@ -91,6 +108,11 @@ constexpr int plane_count(const Design& d) {
 /// Planes need the reciprocal of the doubled area, weights that of the sum of the products.
 constexpr bool has_reciprocal(const Design& d) {
   return d.reciprocal_scheme != ReciprocalScheme::kNone && (plane_count(d) > 0 || d.perspective);
+}
+
+constexpr bool has_rom(const Design& d) {
+  return d.reciprocal_scheme == ReciprocalScheme::kNewton ||
+         d.reciprocal_scheme == ReciprocalScheme::kQuadratic;
 }
 
 /// Values written for a sample: interpolated attributes, then flat ones.

@@ -7,61 +7,13 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <vector>
+#include <utility>
 
 #include "model/spec/fixed.h"
+#include "model/spec/parameters.h"
 
 namespace pineda::spec {
 namespace {
-
-/// A key and the parameter it sets; `is_log2`: the key is in px, the parameter its logarithm.
-struct Key {
-  const char* name;
-  int Design::*parameter;
-  bool is_log2 = false;
-};
-
-constexpr Key kKeys[] = {
-    {"subpixel_bits", &Design::subpixel_bits},
-    {"guard_bits", &Design::guard_bits},
-    {"depth_bits", &Design::depth_bits},
-    {"attributes", &Design::attributes},
-    {"flat_attributes", &Design::flat_attributes},
-    {"attribute_bits", &Design::attribute_bits},
-    {"inverse_w_bits", &Design::inverse_w_bits},
-    {"reciprocal_lut_bits", &Design::reciprocal_lut_bits},
-    {"reciprocal_newton_steps", &Design::reciprocal_newton_steps},
-    {"reciprocal_bits", &Design::reciprocal_bits},
-    {"gradient_fraction_bits", &Design::gradient_fraction_bits},
-    {"tile_fraction_bits", &Design::tile_fraction_bits},
-    {"tile_px", &Design::tile_log2, true},
-    {"stamp_width_px", &Design::stamp_width_log2, true},
-    {"stamp_height_px", &Design::stamp_height_log2, true},
-    {"hierarchical_z_bits", &Design::hierarchical_z_bits},
-    {"hierarchical_z_tiles", &Design::hierarchical_z_tiles},
-    {"hierarchical_z_delay_cycles", &Design::hierarchical_z_delay_cycles},
-    {"prim_fifo_depth", &Design::prim_fifo_depth},
-    {"tile_fifo_depth", &Design::tile_fifo_depth},
-    {"stamp_fifo_depth", &Design::stamp_fifo_depth},
-    {"depth_latency_cycles", &Design::depth_latency_cycles},
-    {"max_depth_latency_cycles", &Design::max_depth_latency_cycles},
-};
-
-constexpr ReciprocalScheme kSchemes[] = {ReciprocalScheme::kNewton, ReciprocalScheme::kQuadratic,
-                                         ReciprocalScheme::kRestoring2,
-                                         ReciprocalScheme::kRestoring4, ReciprocalScheme::kNone};
-
-struct Switch {
-  const char* name;
-  bool Design::*parameter;
-};
-
-constexpr Switch kSwitches[] = {{"depth_test", &Design::depth_test},
-                                {"perspective", &Design::perspective},
-                                {"hierarchical_z", &Design::hierarchical_z}};
-
-constexpr SetupStyle kStyles[] = {SetupStyle::kStepped, SetupStyle::kPipelined,
-                                  SetupStyle::kSerial};
 
 /// Names of designs that were read: a Design only points to its own.
 const char* kept(const std::string& text) {
@@ -91,31 +43,44 @@ std::string text_of(const std::string& path, const toml::node& node, const char*
   return *text;
 }
 
-int number_of(const std::string& path, const toml::node& node, const Key& key) {
-  const auto number = node.value_exact<int64_t>();
-  if (!number || *number < -1 || *number > 1'000'000) {
-    refuse(path, node.source(), fmt::format("{} to be a whole number up to 1000000", key.name));
-  }
-  const auto value = static_cast<uint64_t>(*number);
-  if (!key.is_log2) return static_cast<int>(*number);
-  if (*number < 1 || (value & (value - 1)) != 0) {
-    refuse(path, node.source(), fmt::format("{} to be a power of two, got {}", key.name, *number));
-  }
-  return ceil_log2(value);
-}
+/// Takes a parameter's value from its node.
+class Setter {
+ public:
+  Setter(const std::string& path, const toml::node& node, const char* key, Design* design)
+      : path_(path), node_(node), key_(key), design_(*design) {}
 
-/// The one of `all` that the text names.
-template <class Choice, size_t Count>
-Choice choice_of(const std::string& path, const toml::node& node, const char* key,
-                 const Choice (&all)[Count], const char* (*name_of)(Choice)) {
-  const std::string name = text_of(path, node, key);
-  std::string known;
-  for (const Choice choice : all) {
-    if (name == name_of(choice)) return choice;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", name_of(choice));
+  void operator()(const Number& number) const {
+    const auto value = node_.value_exact<int64_t>();
+    if (!value || *value < -1 || *value > 1'000'000) fail("a whole number up to 1000000");
+    const auto bits = static_cast<uint64_t>(*value);
+    if (number.is_log2 && (*value < 1 || (bits & (bits - 1)) != 0)) {
+      fail(fmt::format("a power of two, got {}", *value));
+    }
+    design_.*number.member = number.is_log2 ? ceil_log2(bits) : static_cast<int>(*value);
   }
-  refuse(path, node.source(), fmt::format("{} to be one of {}, got {}", key, known, name));
-}
+  void operator()(bool Design::*member) const {
+    const auto value = node_.value_exact<bool>();
+    if (!value) fail("true or false");
+    design_.*member = *value;
+  }
+  template <class Choice>
+  void operator()(Choice Design::*member) const {
+    const std::string word = text_of(path_, node_, key_);
+    const auto value = named<Choice>(word);
+    if (!value) fail(fmt::format("one of {}, got {}", words_of<Choice>(), word));
+    design_.*member = *value;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& expected) const {
+    refuse(path_, node_.source(), fmt::format("{} to be {}", key_, expected));
+  }
+
+  const std::string& path_;
+  const toml::node& node_;
+  const char* key_;
+  Design& design_;
+};
 
 Design base_of(const std::string& path, const toml::table& table) {
   const toml::node* node = table.get("base");
@@ -128,25 +93,8 @@ Design base_of(const std::string& path, const toml::table& table) {
 /// Sets what a key says. Those of base, name and summary are taken elsewhere.
 void set(const std::string& path, const std::string& name, const toml::node& node, Design* d) {
   if (name == "base" || name == "name" || name == "summary") return;
-  if (name == "reciprocal_scheme") {
-    d->reciprocal_scheme = choice_of(path, node, name.c_str(), kSchemes, reciprocal_scheme_name);
-    return;
-  }
-  if (name == "setup_style") {
-    d->setup_style = choice_of(path, node, name.c_str(), kStyles, setup_style_name);
-    return;
-  }
-  for (const Switch& key : kSwitches) {
-    if (name != key.name) continue;
-    const auto value = node.value_exact<bool>();
-    if (!value) refuse(path, node.source(), fmt::format("{} to be true or false", key.name));
-    d->*key.parameter = *value;
-    return;
-  }
-  for (const Key& key : kKeys) {
-    if (name != key.name) continue;
-    d->*key.parameter = number_of(path, node, key);
-    return;
+  for (const Parameter& p : kParameters) {
+    if (name == p.key) return std::visit(Setter(path, node, p.key, d), p.member);
   }
   refuse(path, node.source(),
          fmt::format("a parameter of a design (see pineda designs), got {}", name));
@@ -203,32 +151,24 @@ std::string head(const Design& d) {
 
 }  // namespace
 
-std::vector<Parameter> parameters(const Design& d) {
-  std::vector<Parameter> all{
-      {"reciprocal_scheme", quoted(reciprocal_scheme_name(d.reciprocal_scheme))},
-      {"setup_style", quoted(setup_style_name(d.setup_style))}};
-  for (const Switch& key : kSwitches)
-    all.push_back({key.name, d.*key.parameter ? "true" : "false"});
-  for (const Key& key : kKeys) {
-    const int value = key.is_log2 ? 1 << d.*key.parameter : d.*key.parameter;
-    all.push_back({key.name, std::to_string(value)});
+std::vector<Setting> differences(const Design& design, const Design& base) {
+  std::vector<Setting> all;
+  for (const Parameter& p : kParameters) {
+    std::string value = file_value(p, design);
+    if (value != file_value(p, base)) all.push_back({p.key, std::move(value)});
   }
   return all;
 }
 
 std::string design_toml(const Design& d) {
   std::string text = head(d);
-  for (const auto& p : parameters(d)) text += fmt::format("{} = {}\n", p.name, p.value);
+  for (const Parameter& p : kParameters) text += fmt::format("{} = {}\n", p.key, file_value(p, d));
   return text;
 }
 
 std::string design_toml(const Design& d, const Design& base) {
   std::string text = fmt::format("base = {}\n", quoted(base.name)) + head(d);
-  const auto of_base = parameters(base);
-  size_t i = 0;
-  for (const auto& p : parameters(d)) {
-    if (p.value != of_base[i++].value) text += fmt::format("{} = {}\n", p.name, p.value);
-  }
+  for (const Setting& s : differences(d, base)) text += fmt::format("{} = {}\n", s.key, s.value);
   return text;
 }
 

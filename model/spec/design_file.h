@@ -16,8 +16,8 @@ class DesignFileError : public std::runtime_error {
 };
 
 /// In       TOML, flat: `base` (a named design, high_tile unless given), `name` (the file's stem
-///          unless given), `summary`, and any parameter of a design by its name; tiles and stamps
-///          in px: tile_px, stamp_width_px, stamp_height_px.
+///          unless given), `summary`, and any parameter of a design by its key in
+///          parameters.h.
 /// Out      the design; its name and summary live as long as the program.
 /// Errors   DesignFileError: no file, no TOML, an unknown key, a value of another type or out of
 ///          range, a combination that cannot be built.
@@ -26,14 +26,14 @@ Design read_design(const std::string& path);
 /// The same from text; `path` is what errors name.
 Design parse_design(const std::string& text, const std::string& path);
 
-/// A parameter by the name and with the value that a design file has.
-struct Parameter {
-  std::string name;
+/// A parameter's key and value, as a file says them.
+struct Setting {
+  const char* key;
   std::string value;
 };
 
-/// Every parameter of a design, in the order of such a file.
-std::vector<Parameter> parameters(const Design& design);
+/// The parameters in which a design differs from another, in the order of such a file.
+std::vector<Setting> differences(const Design& design, const Design& base);
 
 /// The design as such a file, every parameter stated.
 std::string design_toml(const Design& design);

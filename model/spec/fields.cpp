@@ -57,6 +57,13 @@ size_t owner(const Contract& c, int i) { return at(i / c.design.attributes); }
 size_t channel(const Contract& c, int i) { return at(i % c.design.attributes); }
 
 // What the samples of a triangle get their values from; planes have `f` fraction bits.
+/// "none/back/front".
+template <class Value>
+const char* choices() {
+  static const std::string text = joined(word_list<Value>(), "/", "/");
+  return text.c_str();
+}
+
 template <class T>
 Table<T> plane_fields(const Contract& c, int depth_bits, int attr_bits, int f) {
   const Design& d = c.design;
@@ -98,10 +105,11 @@ Table<FrameState> fields(const Contract& c) {
   return present<FrameState>({
       {"width", "px", false, w.frame_size, 0, 1, PINEDA_ACCESS(FrameState, s.width)},
       {"height", "px", false, w.frame_size, 0, 1, PINEDA_ACCESS(FrameState, s.height)},
-      {"cull", "none/back/front", false, 2, 0, 1, PINEDA_ACCESS(FrameState, s.cull)},
+      {"cull", choices<Cull>(), false, 2, 0, 1, PINEDA_ACCESS(FrameState, s.cull)},
       {"depth", "function", false, 4, 0, depth, PINEDA_ACCESS(FrameState, s.depth)},
-      {"depth_write", "off/on", false, 1, 0, depth, PINEDA_ACCESS(FrameState, s.depth_write)},
-      {"shade", "smooth/flat", false, 1, 0, smooth, PINEDA_ACCESS(FrameState, s.shade)},
+      {"depth_write", choices<bool>(), false, 1, 0, depth,
+       PINEDA_ACCESS(FrameState, s.depth_write)},
+      {"shade", choices<Shade>(), false, 1, 0, smooth, PINEDA_ACCESS(FrameState, s.shade)},
       // The scissor as the units take it: clipped to the frame. One of no size, which cannot be
       // drawn, keeps what was set.
       {"clip_x0", "px", false, w.frame_size, 0, 1,

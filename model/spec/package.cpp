@@ -164,13 +164,16 @@ std::vector<Constant> reciprocal_constants(const Design& d) {
   return {};
 }
 
+std::string upper(std::string text) {
+  for (char& letter : text) letter = static_cast<char>(std::toupper(letter));
+  return text;
+}
+
 // What is built, as macros: a module must not name what the package lacks, nor a port exist for it.
 std::string macros_text(const Design& d) {
   static constexpr const char* kSchemes[] = {"NEWTON", "QUADRATIC", "RESTORING", "RESTORING",
                                              "NONE"};
-  static constexpr const char* kStyles[] = {"STEPPED", "PIPELINED", "SERIAL"};
-  std::string text =
-      fmt::format("`define PINEDA_SETUP_{}\n", kStyles[static_cast<int>(d.setup_style)]);
+  std::string text = fmt::format("`define PINEDA_SETUP_{}\n", upper(name_of(d.setup_style)));
   const auto define = [&](bool built, const std::string& name) {
     if (built) text += fmt::format("`define PINEDA_{}\n", name);
   };
@@ -227,6 +230,17 @@ std::string constant_text(const Constant& k) {
                      *k.meaning != '\0' ? " // " : "", k.meaning);
 }
 
+/// A constant for each value of an enumeration.
+template <class Value>
+std::string codes_text(const std::string& prefix, int bits) {
+  std::string text;
+  for (const auto& row : names(Value{})) {
+    text += fmt::format("  localparam logic [{}:0] {:<15}= {}'d{};\n", bits - 1,
+                        prefix + "_" + upper(row.word), bits, static_cast<int>(row.value));
+  }
+  return text;
+}
+
 template <class T>
 std::string struct_text(const std::vector<Field<T>>& table, const char* name) {
   std::string text = "  typedef struct packed {\n";
@@ -243,10 +257,8 @@ std::string struct_text(const std::vector<Field<T>>& table, const char* name) {
                         is_id ? "number of the triangle" : format);
   }
   const bool has_id = bits != packed_bits(table);
-  std::string upper = name;
-  for (char& letter : upper) letter = static_cast<char>(std::toupper(letter));
   return text + fmt::format("  }} {}_t;\n  localparam int unsigned {}_BITS = {}{};\n\n", name,
-                            upper, has_id ? "ID_BITS + " : "", bits);
+                            upper(name), has_id ? "ID_BITS + " : "", bits);
 }
 
 }  // namespace
@@ -264,21 +276,9 @@ std::string package_text(const Contract& c) {
       "`ifdef SYNTHESIS\n  localparam int unsigned ID_BITS = 1;\n"
       "`else\n  localparam int unsigned ID_BITS = {};\n`endif\n\n",
       kTriangleIdBits);
-  const auto codes = [&](int bits, std::initializer_list<const char*> names) {
-    int value = 0;
-    for (const char* name : names) {
-      text +=
-          fmt::format("  localparam logic [{}:0] {:<15}= {}'d{};\n", bits - 1, name, bits, value);
-      ++value;
-    }
-  };
-  // In the order of the enumerations.
-  codes(2, {"CULL_NONE", "CULL_BACK", "CULL_FRONT"});
-  if (c.design.attributes > 0) codes(1, {"SHADE_SMOOTH", "SHADE_FLAT"});
-  if (c.design.depth_test) {
-    codes(4, {"DEPTH_LESS", "DEPTH_LEQUAL", "DEPTH_OFF", "DEPTH_NEVER", "DEPTH_EQUAL",
-              "DEPTH_GREATER", "DEPTH_NOTEQUAL", "DEPTH_GEQUAL", "DEPTH_ALWAYS"});
-  }
+  text += codes_text<Cull>("CULL", 2);
+  if (c.design.attributes > 0) text += codes_text<Shade>("SHADE", 1);
+  if (c.design.depth_test) text += codes_text<DepthFunc>("DEPTH", 4);
   text += "\n";
   for_each_struct(c,
                   [&](const auto& table, const char* name) { text += struct_text(table, name); });
@@ -331,7 +331,7 @@ uint64_t formats_hash(const Contract& c) {
       d.reciprocal_lut_bits, d.reciprocal_newton_steps, d.gradient_fraction_bits,
       d.tile_fraction_bits, d.tile_log2, d.stamp_width_log2, d.stamp_height_log2);
   if (d.reciprocal_scheme != ReciprocalScheme::kNewton) {
-    text += fmt::format("{}\n", reciprocal_scheme_name(d.reciprocal_scheme));
+    text += fmt::format("{}\n", name_of(d.reciprocal_scheme));
   }
   for_each_struct(c, [&](const auto& table, const char* name) {
     text += fmt::format("{}\n", name);

@@ -5,24 +5,10 @@
 #include <array>
 #include <cstdint>
 
+#include "model/spec/raster_state.h"
 #include "model/spec/widths.h"
 
 namespace pineda::spec {
-
-enum class Cull : uint8_t { kNone, kBack, kFront };
-/// A new sample passes if it compares so with the stored one. kOff neither tests nor writes.
-enum class DepthFunc : uint8_t {
-  kLess,
-  kLequal,
-  kOff,
-  kNever,
-  kEqual,
-  kGreater,
-  kNotequal,
-  kGequal,
-  kAlways,
-};
-enum class Shade : uint8_t { kSmooth, kFlat };  // flat: the first vertex gives the attributes
 
 inline constexpr int kNoScissorPx = 1 << 24;  // beyond every frame
 

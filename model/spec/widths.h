@@ -1,8 +1,8 @@
 // Every width of a design, derived once, with its reason. Nothing else in the project holds one.
 #pragma once
 
-#include "model/spec/design.h"
 #include "model/spec/fixed.h"
+#include "model/spec/parameters.h"
 
 namespace pineda::spec {
 
@@ -35,10 +35,6 @@ inline constexpr int kInverseWShiftBits = 8;
 
 /// Triangle number that travels with every token in simulation (1 bit in synthesis).
 inline constexpr int kTriangleIdBits = 32;
-
-/// Array bounds of the C++ structs; a design may use less.
-inline constexpr int kMaxAttributes = 16;
-inline constexpr int kMaxLanes = 16;
 
 /// Bits of the quotient that restoring division finds in a cycle.
 constexpr int reciprocal_radix_bits(const Design& d) {
@@ -182,7 +178,8 @@ constexpr void setup_cycles(const Design& d, Widths* w) {
   }
 }
 
-constexpr Widths widths(const Design& d) {
+constexpr Widths widths(const Design& design) {
+  const Design d = tamed(design);
   Widths w{};
   const int span = d.guard_bits + 1 + d.subpixel_bits;  // the guard band's side is 2^span subpixels
   w.coord = span;
@@ -233,13 +230,13 @@ constexpr Widths widths(const Design& d) {
   return w;
 }
 
-/// A design with its widths: what every unit takes.
+/// A design with its widths: what every unit takes. Its unused parameters are tamed.
 struct Contract {
   Design design;
   Widths width;
 };
 
-constexpr Contract contract(const Design& design) { return {design, widths(design)}; }
+constexpr Contract contract(const Design& design) { return {tamed(design), widths(design)}; }
 
 // The table of the default design, as in the documentation; a change here is a changed contract.
 inline constexpr Widths kHighTileWidths = widths(kHighTile);

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/core/frame.h"
 #include "model/memory/port.h"
+#include "model/spec/widths.h"
 
 namespace pineda::timing {
 
@@ -35,9 +35,10 @@ enum class Cause : uint8_t {
 };
 inline constexpr size_t kCauses = 5;
 
-/// "setup", "tiles", "stamps", "interp_ztest"; "busy", "starved", "blocked", "hazard", "memory".
-const char* unit_name(Unit unit);
-const char* cause_name(Cause cause);
+const char* unit_name(Unit unit);     // "setup", "tiles", "stamps", "interp_ztest"
+const char* unit_title(Unit unit);    // for a person: "traversal, tiles"
+const char* cause_name(Cause cause);  // "busy", "starved", "blocked", "hazard", "memory"
+const char* cause_meaning(Cause cause);
 
 /// The cycles of a unit, from cycle 0 until the frame has drained, by cause.
 struct UnitCycles {
@@ -56,8 +57,10 @@ struct UnitCycles {
 enum class Fifo : uint8_t { kPrims, kTiles, kStamps };
 inline constexpr size_t kFifos = 3;
 const char* fifo_name(Fifo fifo);  // "prims", "tiles", "stamps"
+/// How many slots it has.
+int fifo_depth(const spec::Design& design, Fifo fifo);
 
-/// What a frame's cycles were spent on. Model and RTL count the same.
+/// What a frame's cycles were spent on. Model and RTL count the same; counters.h has the names.
 struct CycleCounters {
   Cycle drained = 0;                     // from cycle 0 until the whole pipeline is empty
   std::array<UnitCycles, kUnits> units;  // each adds up to `drained`

@@ -1,14 +1,19 @@
 #include "model/timing/fifo_levels.h"
 
-#include "model/core/lanes.h"
+#include <algorithm>
+#include <cstddef>
+
+#include "model/fast/level.h"
 
 namespace pineda::timing {
 
 namespace {
 
-// Of `count` tokens: the cycles from `before` or `inserted`, whichever is later, until `after`.
-PINEDA_CLONES Cycle add_up(const Cycle* inserted, const Cycle* before, const Cycle* after,
-                           size_t count) {
+// The sum over `count` tokens of the cycles from the later one of `before` and `inserted` to
+// `after`.
+PINEDA_KERNEL(Cycle, add_up,
+              (const Cycle* inserted, const Cycle* before, const Cycle* after, size_t count),
+              (inserted, before, after, count)) {
   Cycle sum = 0;
   for (size_t n = 0; n < count; ++n) {
     sum += std::max<Cycle>(after[n] - std::max(inserted[n], before[n]), 0);

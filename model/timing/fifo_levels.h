@@ -14,12 +14,10 @@ namespace pineda::timing {
 /// In       for each token, in order, the cycles in which its slot was taken and freed: a slot
 ///          taken in t counts from t + 1 on, and up to and including the cycle in which it is
 ///          freed. Both kinds of cycles only grow.
-/// Rate     k slots or more are taken while some token n is in that has the token k - 1 before it
-/// in
-///          as well:
+/// Rate     token n and the k - 1 tokens before it are all in the FIFO in the cycles t with
 ///            inserted[n] < t <= freed[n - (k - 1)]
-///          and of those cycles the ones up to freed[n - k] were counted with token n - 1. Tokens
-///          are counted some at a time, k by k, until there are none for a k.
+///          so in these k slots or more are taken. Those up to freed[n - k] were counted with token
+///          n - 1. Tokens are counted some at a time: for k = 1, 2, ... until a k has no cycles.
 /// Errors   none.
 class FifoLevels {
  public:
@@ -44,9 +42,9 @@ class FifoLevels {
     if (++count_ == kTogether) count();
   }
 
-  /// `count` tokens, each of which comes when those before it are freed or are being freed, and is
-  /// freed in the cycle after; so is the last one when the next token comes. Then nothing that
-  /// comes can meet their releases, which are left out.
+  /// `count` tokens that flow through: when one comes, all before it have been freed or are being
+  /// freed, and it is freed in the cycle after. The same holds when the next token comes. So no
+  /// later token waits for their slots, and it need not be kept when they were freed.
   void flow(int count) { taken_[1] += count; }
 
   /// The cycles of the frame by level, 0 to depth, once every token has left.
@@ -67,8 +65,8 @@ class FifoLevels {
 
   size_t depth_;
   size_t count_ = 0;                         // tokens that are not counted yet
-  std::array<Cycle, kTogether> inserted_{};  // of those
-  std::vector<Cycle> freed_;                 // of the `depth` tokens before them, and of those
+  std::array<Cycle, kTogether> inserted_{};  // of those tokens
+  std::vector<Cycle> freed_;                 // of the `depth` tokens before them, then of those
   std::vector<Cycle> taken_;                 // by k: the cycles in which k slots or more are taken
 };
 

@@ -40,7 +40,7 @@ class FrameMemory final : public sc_core::sc_module {
   void set_period(const sc_core::sc_time& period) { period_ = period; }
   void set_ready(Ready ready) { ready_ = std::move(ready); }
   const memory::MemoryTiming& timing() const { return *timing_; }
-  /// Of the next frame: no request waits, whatever the order, and reads take this long.
+  /// In the next frame no request waits and every read takes fixed_latency(), whatever the order.
   bool is_transparent() const { return next_->fixed_latency() > 0 && !ready_; }
   Cycle fixed_latency() const { return next_->fixed_latency(); }
 

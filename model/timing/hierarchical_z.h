@@ -13,18 +13,18 @@ namespace pineda::timing {
 /// Hierarchical z: the greatest depth of every stamp of a frame, by tile.
 ///
 /// Bits     a tile is hidden when depth_floor() of the triangle there is greater than the greatest
-///          depth of all its stamps, both in their top bits; so nothing of it can pass LESS or
-///          LEQUAL, and with another function nothing is hidden. A stamp that was not written has
+///          depth of all its stamps, both in their top bits. Then no sample of it can pass LESS or
+///          LEQUAL; with another depth function nothing is hidden. A stamp that was not written has
 ///          the depth that the frame is cleared to.
-/// In       update(): the depths of stamps as their writes are accepted, in order of the cycles.
-///          hides(): tile tests, in the order of theirs.
+/// In       update(): the depths of stamps, in the order of the cycles in which their writes are
+///          accepted. hides(): tile tests, in the order of their cycles.
 /// Rate     a write accepted in t is seen by a test in t + hierarchical_z_delay_cycles.
 /// Drops    tiles beyond hierarchical_z_tiles: never hidden.
 /// Twin     rtl/interp/hierarchical_z.sv.
 class HierarchicalZ {
  public:
-  /// `catch_up(cycle)` is called before a test in that cycle: by then every write accepted before
-  /// it must have come to update().
+  /// `catch_up(cycle)` is called before a test in that cycle. When it returns, update() must have
+  /// been called for every write accepted before that cycle.
   explicit HierarchicalZ(
       const spec::Contract& contract, std::function<void(Cycle)> catch_up = [](Cycle) {})
       : contract_(contract), catch_up_(std::move(catch_up)) {}

@@ -3,16 +3,16 @@
 
 #include <vector>
 
-#include "model/core/tile_cover.h"
+#include "model/fast/tile_cover.h"
 #include "model/timing/cycles.h"
 
 namespace pineda::timing {
 
 /// When the address of each stamp is free again.
 ///
-/// In       the stamps of a tile one by one, or as a run, which comes only when none of the tile is
-///          in flight. So what a run was made of is enough; its addresses are written down when
-///          the first stamp asks for its own.
+/// In       the stamps of a tile one by one, or as a run, which comes only when no stamp of the
+///          tile is in flight. A run is kept as a whole. When stamps of its tile come one by one
+///          after it, the cycles of its stamps are written down first.
 /// Errors   none.
 class InFlight {
  public:
@@ -22,13 +22,12 @@ class InFlight {
 
   /// From this cycle on no stamp of the tile is in flight.
   Cycle tile_free(size_t tile) const { return tiles_[tile].free; }
-  /// The same of one stamp.
+  /// From this cycle on that stamp is not in flight.
   Cycle stamp_free(size_t tile, int place);
 
-  /// All stamps of a tile; that of test 0 retires, or would, in `retire`, the others a cycle later
-  /// each.
-  void run(size_t tile, const core::TileCover& cover, Cycle retire) {
-    const core::StampBox& box = cover.box;
+  /// All stamps of a tile. The stamp of test k retires in `retire` + k.
+  void run(size_t tile, const fast::TileCover& cover, Cycle retire) {
+    const fast::StampBox& box = cover.box;
     Tile& t = tiles_[tile];
     t.last = static_cast<uint16_t>(box.test_of(cover.covered.last));
     t.free = retire + t.last + 1;
@@ -38,7 +37,7 @@ class InFlight {
     t.is_run = true;
     for (size_t i = 0; i < words_; ++i) stamps_[tile * words_ + i] = cover.covered.stamps[i];
   }
-  /// A stamp, after stamp_free() of it.
+  /// A stamp, after stamp_free() was asked for it.
   void stamp(size_t tile, int place, Cycle free) {
     free_[(tile << stamps_log2_) + static_cast<size_t>(place)] = tiles_[tile].free = free;
   }
@@ -46,18 +45,18 @@ class InFlight {
  private:
   struct Tile {
     Cycle free = 0;
-    // The last run, unless it is written down: its last test, and what of its box counts tests.
+    // The last run: its last test, and the part of its box that numbers its tests.
     uint16_t last = 0;
     uint8_t column0 = 0, columns = 0, row0 = 0;
-    bool is_run = true;
+    bool is_run = true;  // it is not written down stamp by stamp
   };
   void write_down(size_t tile);
 
   int columns_log2_, stamps_log2_;  // of a tile
-  size_t words_;                    // of their bits
+  size_t words_;                    // that hold a bit for each stamp of a tile
   std::vector<Tile> tiles_;
   std::vector<uint64_t> stamps_;  // by tile: the stamps of its last run
-  std::vector<Cycle> free_;       // by tile and place, once they are written down
+  std::vector<Cycle> free_;       // by tile and place, of what is written down
 };
 
 }  // namespace pineda::timing

@@ -31,13 +31,13 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
   const int tile_rows = ((frame->state.height - 1) >> d.tile_log2) + 1;
   const auto tiles = static_cast<size_t>(tile_columns_) * static_cast<size_t>(tile_rows);
   columns_log2_ = d.tile_log2 - d.stamp_width_log2;
-  tile_stamps_log2_ = core::stamps_log2(d);
+  tile_stamps_log2_ = fast::stamps_log2(d);
   write_free_ = retired_ = exit_ = -1;
 
   if (!frame->tokens) {
-    const bool all = frame->planes == core::Planes::kAll;
+    const bool all = frame->planes == fast::Planes::kAll;
     shader_.emplace(contract_, frame->state,
-                    all ? core::TileShader::Values::kAll : core::TileShader::Values::kDepth);
+                    all ? fast::TileShader::Values::kAll : fast::TileShader::Values::kDepth);
     in_flight_.begin_frame(tiles);
     pass_cycles_ = !d.depth_test ? 1
                    : !tests_     ? 3
@@ -51,7 +51,8 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
   accepted_count_ = retired_count_ = entered_count_ = exit_count_ = 0;
   slot_free_.assign(static_cast<size_t>(contract_.width.inflight_stamps), 0);
   exits_.assign(static_cast<size_t>(contract_.width.attribute_cycles) + 1, -1);
-  // Those in flight, and one that has retired while its colours wait in the register.
+  // There is room for the stamps in flight, and for one that has retired while its colours wait in
+  // the register.
   stored_.reset(slot_free_.size() + 1);
   colored_.reset(exits_.size());
 }
@@ -62,17 +63,17 @@ Cycle InterpZtestUnit::take(const StampToken& stamp, Cycle visible) {
 
 // ---- Memories that are always ready
 
-size_t InterpZtestUnit::tile_of(const core::TileCover& cover) const {
+size_t InterpZtestUnit::tile_of(const fast::TileCover& cover) const {
   return static_cast<size_t>(cover.y) * static_cast<size_t>(tile_columns_) +
          static_cast<size_t>(cover.x);
 }
 
-size_t InterpZtestUnit::address_of(const core::TileCover& cover, int place) const {
+size_t InterpZtestUnit::address_of(const fast::TileCover& cover, int place) const {
   return (tile_of(cover) << tile_stamps_log2_) + static_cast<size_t>(place);
 }
 
 Cycle InterpZtestUnit::take_direct(const StampToken& stamp, Cycle visible) {
-  const core::TileCover& cover = *stamp.tile->cover;
+  const fast::TileCover& cover = *stamp.tile->cover;
   const bool first = stamp.place == cover.covered.first;
   if (first) draw(*stamp.tile);
   const size_t tile = tile_of(cover);
@@ -96,8 +97,8 @@ Cycle InterpZtestUnit::take_direct(const StampToken& stamp, Cycle visible) {
 
 bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
   if (frame_->tokens) return false;
-  const core::TileCover& cover = *tile.cover;
-  const core::TileSamples& covered = cover.covered;
+  const fast::TileCover& cover = *tile.cover;
+  const fast::TileSamples& covered = cover.covered;
   const Cycle first = first_visible + cover.box.test_of(covered.first);
   const size_t number = tile_of(cover);
   if (time_.now() > first || (tests_ && in_flight_.tile_free(number) > first)) return false;
@@ -122,9 +123,9 @@ void InterpZtestUnit::draw(const TileToken& tile) {
   shader_->draw(*tile.cover, frame_->buffer);
 }
 
-// The writes of a tile's stamps that passed; those of test 0 come, or would, in `retire`.
-void InterpZtestUnit::pass_run(const core::TileCover& cover, Cycle retire) {
-  const core::TileSamples& passed = frame_->has_values ? shader_->passed() : cover.covered;
+// Notes the writes of a tile's stamps that passed. The stamp of test k writes in `retire` + k.
+void InterpZtestUnit::pass_run(const fast::TileCover& cover, Cycle retire) {
+  const fast::TileSamples& passed = frame_->has_values ? shader_->passed() : cover.covered;
   if (passed.count == 0) return;
   pass(retire + cover.box.test_of(passed.last));
   if (!writes_depth_ || frame_->hierarchical_z == nullptr) return;
@@ -132,14 +133,14 @@ void InterpZtestUnit::pass_run(const core::TileCover& cover, Cycle retire) {
       [&](int place) { update(cover, place, retire + cover.box.test_of(place)); });
 }
 
-// The writes of a stamp that retires in `retire`.
+// Notes the writes of a stamp that retires in `retire`.
 void InterpZtestUnit::pass(Cycle retire) {
   exit_ = retire + contract_.width.attribute_cycles;
   if (writes_depth_) retired_ = retire;
 }
 
-// What hierarchical z sees of a stamp's depth write.
-void InterpZtestUnit::update(const core::TileCover& cover, int place, Cycle retire) {
+// Tells hierarchical z of a stamp's depth write.
+void InterpZtestUnit::update(const fast::TileCover& cover, int place, Cycle retire) {
   const spec::Design& d = contract_.design;
   const int x = (cover.x << columns_log2_) + (place & ((1 << columns_log2_) - 1));
   const int y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2_);
@@ -214,8 +215,8 @@ void InterpZtestUnit::test(const spec::Stamp& stamp, const spec::DepthData& data
   if (stored->passed == 0) return;
   ++frame_->counters.interpolated;
   frame_->counters.passed += static_cast<uint64_t>(core::count_lanes(stored->passed));
-  // Time depends on the address and the lanes alone.
-  if (frame_->planes == core::Planes::kAll) {
+  // Without attributes the write keeps its address and its lanes, which its time depends on.
+  if (frame_->planes == fast::Planes::kAll) {
     core::interpolate_attributes(contract_, stamp, stored->passed, &fragment_);
   }
   core::color_write(contract_, stamp, fragment_, stored->passed, &stored->color);
@@ -251,7 +252,7 @@ void InterpZtestUnit::advance(Cycle until) {
 void InterpZtestUnit::drain() {
   advance(kForever);
   if (!frame_->tokens) {
-    const core::StampCounts& passed = frame_->has_values ? shader_->counts() : frame_->stamps;
+    const fast::StampCounts& passed = frame_->has_values ? shader_->counts() : frame_->stamps;
     frame_->counters.interpolated = passed.stamps;
     frame_->counters.passed = passed.samples;
   }
@@ -260,7 +261,8 @@ void InterpZtestUnit::drain() {
   if (retired >= 0) exit_ = retired + contract_.width.attribute_cycles;
 }
 
-// Until so many stamps have retired and no further: a read may come before the writes after that.
+// Goes on until so many stamps have retired, and no further: the read that waits for them may come
+// before later writes.
 void InterpZtestUnit::wait_for(uint64_t retired) {
   while (retired_count_ < retired) {
     if (!turn()) offer(kForever);
@@ -290,7 +292,7 @@ bool InterpZtestUnit::offer(Cycle until) {
   return true;
 }
 
-// Moves the write register on as far as no port is needed; false if it cannot move.
+// Takes one step of the write register that needs no port; false if there is none.
 bool InterpZtestUnit::turn() {
   if (stored_.empty()) return false;
   Stored& stored = stored_.front();
@@ -312,7 +314,7 @@ bool InterpZtestUnit::turn() {
     r.entered = true;
     return true;
   }
-  // Without a pipe the colours are still in the register.
+  // Without a pipe the colours stay in the register until they are written.
   const bool left = r.entered && (latency > 0 || colored_.empty());
   if (!r.written || !left) return false;
   write_free_ = std::max(r.retire, latency > 0 || stored.passed == 0 ? r.enter : exit_);

@@ -16,7 +16,7 @@ namespace pineda::timing {
 /// Interpolation and depth test: one stamp in, its depth and colour writes out, in order.
 ///
 /// Bits     core::interpolate_depth(), core::depth_test() and core::interpolate_attributes() define
-///          every output bit, core::TileShader finds the same faster; this class adds only time.
+///          every output bit, fast::TileShader finds the same faster; this class adds only time.
 /// In       stamp_i.
 /// Out      depth_io (reads too), color_wr_o: the covered samples that pass; nothing if none does.
 ///          With the test off, or depth not to be written, colour only. A design without depth has
@@ -30,35 +30,38 @@ namespace pineda::timing {
 /// Timing, for stamp n, with p = the stamp before it and T = width.inflight_stamps:
 ///   accept[n] = the first cycle in which the read port is ready, not before
 ///               visible[n], accept[p] + 1,
-///               retire[m] + 1 for the last m with the same address (not with the test off),
-///               retire[n - T] + 1: stamps leave the table in order, so slots are reused in order
+///               retire[m] + 1 of the last stamp m with the same address, unless the test is off,
+///               retire[n - T] + 1, since stamps leave the table in order and so free its slots in
+///               order
 ///   load[n]   = max(accept[n] + 2, response[n] + 1, retire[p], enter[p])
-///               2: the depth interpolator's register and the FIFO behind it; 1: the response FIFO.
-///               The FIFOs are as deep as the table, so they never push back. The write register is
-///               free again in the cycle in which its depth is written and its colours have left.
+///               The depth interpolator's register and the FIFO behind it take 2 cycles, the
+///               response FIFO takes 1. The FIFOs are as deep as the table, so they never push
+///               back. The write register is free again in the cycle in which its depth is written
+///               and its colours have left.
 ///   retire[n] = the cycle in which the depth write, offered from load[n] + 1 on, is accepted;
 ///               load[n] + 1 if there is nothing to write.
 /// A design without depth has neither table nor queues:
 ///   accept[n] = load[n] = max(visible[n], accept[p] + 1, enter[p])
-/// Colours, of the stamps that have a sample that passed, with q = the one before and
-/// L = width.attribute_cycles: behind the pipe is room for the L + 1 that can be under way, which a
-/// stamp must find free when it enters; so the pipe never stops.
+/// Only stamps with a sample that passed have colours. Let q be the one before n, and
+/// L = width.attribute_cycles. Behind the pipe there is room for L + 1 stamps, as many as can be
+/// under way, and a stamp enters only when a place is free. So the pipe never stops:
 ///   enter[n]  = max(load[n] + 1, exit[n - (L + 1)] + 1)
 ///   exit[n]   = the first cycle in which the colour port is ready, from
 ///               max(enter[n] + L, exit[q] + 1) on
 /// Without interpolated attributes the colour write leaves the write register: enter[n] = exit[n] =
 /// the first cycle in which the colour port is ready, from load[n] + 1 on.
 ///
-/// Memories that are always ready and answer in R cycles. By induction nothing behind the read
-/// waits: if retire[p] = enter[p] = accept[p] + C with C = max(2, R + 1) + 1, then both are at most
-/// accept[n] + C - 1 = load[n]; and T >= C + 1, so a slot is free whenever a stamp comes. Hence
+/// Where memories are always ready and answer in R cycles, nothing behind the read waits. By
+/// induction: if retire[p] = enter[p] = accept[p] + C with C = max(2, R + 1) + 1, then both are at
+/// most accept[n] + C - 1 = load[n]; and T >= C + 1, so a slot is free whenever a stamp comes.
+/// Hence
 ///   accept[n] = max(visible[n], accept[p] + 1, retire[m] + 1),
 ///   retire[n] = enter[n] = accept[n] + C,  exit[n] = enter[n] + L,
-/// with C = 3 if depths are not read, 1 in a design without depth. That is all there is to time,
-/// and the stamps of a tile that was not touched of late can be taken at once.
+/// with C = 3 if depths are not read, 1 in a design without depth. So the stamps of a tile of which
+/// none is in flight can be timed all at once.
 ///
-/// Other memories are served in order of time: before a read is offered in t, every write of the
-/// stamps before it that is offered before t has been.
+/// Other memories are served in the order of time: a read that is offered in t comes after every
+/// write of an earlier stamp that is offered before t.
 class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
  public:
   sc_core::sc_export<StampIn> stamp_i{"stamp_i"};
@@ -82,28 +85,28 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   UnitCycles cycles(Cycle drained) const;
 
  private:
-  // A stamp that has been read and not left the write register.
+  // A stamp whose depths have been read, until it leaves the write register.
   struct Stored {
     size_t address;
-    Cycle data;   // not loaded before
-    bool writes;  // its depths
+    Cycle data;   // the first cycle in which it can be loaded, as far as its depths are concerned
+    bool writes;  // it has a depth write
     uint32_t passed;
-    uint32_t greatest;  // hierarchical z
+    uint32_t greatest;  // depth after its write, for hierarchical z
     spec::DepthWrite depth;
     spec::ColorWrite color;
   };
-  // Its colours, in the pipe or behind it, and when they are offered.
+  // The colours of a stamp, in the pipe or behind it, and when they are offered.
   struct Colored {
     Cycle offered;
     spec::ColorWrite color;
   };
-  // The stamp in the write register, the first one of stored_.
+  // The write register, which holds the first stamp of stored_.
   struct Register {
     bool loaded = false;
     bool written = false;
     bool entered = false;
-    Cycle offered = 0;        // its writes, from then on
-    Cycle write_offered = 0;  // the depth write, after the port was not ready
+    Cycle offered = 0;        // from this cycle on its writes are offered
+    Cycle write_offered = 0;  // the same of its depth write, later where the port was not ready
     Cycle retire = 0;
     Cycle enter = 0;
   };
@@ -111,13 +114,13 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   void end_of_elaboration() override;
 
   // Memories that are always ready
-  size_t tile_of(const core::TileCover& cover) const;
-  size_t address_of(const core::TileCover& cover, int place) const;
+  size_t tile_of(const fast::TileCover& cover) const;
+  size_t address_of(const fast::TileCover& cover, int place) const;
   void draw(const TileToken& tile);
   Cycle take_direct(const StampToken& stamp, Cycle visible);
-  void pass_run(const core::TileCover& cover, Cycle retire);
+  void pass_run(const fast::TileCover& cover, Cycle retire);
   void pass(Cycle retire);
-  void update(const core::TileCover& cover, int place, Cycle retire);
+  void update(const fast::TileCover& cover, int place, Cycle retire);
   uint32_t greatest_depth(int x, int y) const;  // stored in a stamp, the top bits
 
   // Other memories
@@ -125,7 +128,7 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   Cycle accept(const StampToken& token, size_t address, spec::DepthData* data, Cycle* response);
   Cycle read(const spec::Stamp& stamp, spec::DepthData* data, Cycle* response);
   void test(const spec::Stamp& stamp, const spec::DepthData& data, Stored* stored);
-  // The lanes whose depths are read: those covered, for hierarchical z all in the frame.
+  // The lanes whose depths are read: the covered ones, with hierarchical z all inside the frame.
   uint32_t asked(const spec::Stamp& stamp) const;
   uint32_t inside(int stamp_x, int stamp_y) const;
   void wait_for(uint64_t retired);
@@ -140,7 +143,7 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   Frame* frame_ = nullptr;
   LocalTime time_;
   bool tests_ = false;         // depths are read and compared
-  bool writes_depth_ = false;  // and those that pass written
+  bool writes_depth_ = false;  // depths that pass are written
   int tile_columns_ = 0;       // tiles in a row of the frame
   int columns_log2_ = 0;       // stamps in a row of a tile
   int tile_stamps_log2_ = 0;   // stamps of a tile
@@ -148,7 +151,7 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   Cycle retired_ = -1;         // the last depth write accepted
   Cycle exit_ = -1;            // the last colour write accepted
 
-  std::optional<core::TileShader> shader_;
+  std::optional<fast::TileShader> shader_;
   Cycle pass_cycles_ = 0;  // C
   InFlight in_flight_;
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "model/fast/setup.h"
+
 namespace pineda::timing {
 
-void LastWrite::begin_frame(const spec::FrameState& frame, core::TiledBuffer* buffer) {
+void LastWrite::begin_frame(const spec::FrameState& frame, fast::TiledBuffer* buffer) {
   frame_ = frame;
   buffer_ = buffer;
   const int log2 = contract_.design.tile_log2;
@@ -26,7 +28,8 @@ void LastWrite::triangle(const spec::Triangle& t) {
 
 void LastWrite::add(int tile_x, int tile_y, uint32_t irregular, Cycle retire) {
   const auto tile = static_cast<uint32_t>(tile_y * tile_columns_ + tile_x);
-  // Field by field: a copy of what was just put together would wait for it to reach the cache.
+  // Written field by field. Building a Run and copying it is slower: the copy would read back what
+  // was only just stored.
   Run& run = runs_.emplace_back();
   run.triangle = static_cast<uint32_t>(triangles_.size() - 1);
   run.tile = tile;
@@ -50,7 +53,8 @@ Cycle LastWrite::find() {
   return found_;
 }
 
-// Keeps what it leaves behind: the depths in the buffer, and the last write so far.
+// Tests every run now and forgets it. What remains is the buffer's depths and the cycle of the last
+// write so far.
 void LastWrite::flush() {
   for (uint32_t& last : last_) {
     if (last != kNone) test_tile(last);
@@ -61,7 +65,7 @@ void LastWrite::flush() {
   irregular_.clear();
 }
 
-// All runs of a tile, in order.
+// Tests all runs of a tile, in the order in which they came.
 void LastWrite::test_tile(uint32_t last_run) {
   const uint32_t tile = runs_[last_run].tile;
   last_[tile] = kNone;
@@ -79,7 +83,8 @@ void LastWrite::clear(uint32_t tile) {
 }
 
 void LastWrite::test(Run* run) {
-  // As if the scissor left nothing but the tile: the same bits, and the same numbers of tests.
+  // The tile is drawn again with a scissor that leaves nothing but it. That gives the same bits,
+  // and stamps keep the numbers of their tests.
   const int log2 = contract_.design.tile_log2;
   const int x = static_cast<int>(run->tile) % tile_columns_ << log2;
   const int y = static_cast<int>(run->tile) / tile_columns_ << log2;
@@ -96,13 +101,13 @@ void LastWrite::test(Run* run) {
     triangle.v[i].z = corner.z;
   }
   spec::SetupPrim prim;
-  core::setup(contract_, frame, triangle, &prim, core::Planes::kDepth);
-  core::TileCoverWalk walk(contract_);
-  core::TileCover cover(contract_);
+  fast::setup(contract_, frame, triangle, &prim, fast::Planes::kDepth);
+  fast::TileCoverWalk walk(contract_);
+  fast::TileCover cover(contract_);
   walk.begin(prim);
   walk.next(&cover);
   walk.cover_stamps(&cover, nullptr);
-  core::TileShader shader(contract_, frame, core::TileShader::Values::kDepth);
+  fast::TileShader shader(contract_, frame, fast::TileShader::Values::kDepth);
   shader.begin(prim);
   shader.draw(cover, buffer_);
 

@@ -1,35 +1,35 @@
-// The last write of a frame, without the depths of the others.
+// The last write of a frame, found without testing the depths of all stamps.
 #pragma once
 
 #include <vector>
 
-#include "model/core/tile_shader.h"
+#include "model/fast/tile_shader.h"
 #include "model/timing/cycles.h"
 
 namespace pineda::timing {
 
-/// Where memories are always ready, the depth test moves nothing in time but the end of the frame,
-/// which comes with the last write: of the last stamp that has a sample that passes. So stamps are
-/// only noted here, and tested at the end, tile by tile from the last stamp backwards, until one is
-/// found that passes.
+/// Finds when the last write of a frame is, where memories are always ready. The outcome of a depth
+/// test then decides about one thing in time alone: whether its stamp writes, and so which write is
+/// the last one and ends the frame. So stamps are only noted here. At the end they are tested, tile
+/// by tile from the last stamp backwards, until one is found that has a sample that passes.
 ///
-/// Bits     core::TileShader.
-/// In       triangle(), then run() for its tiles; the first stamps that are not tested yet are when
-///          there are too many to keep.
-/// Out      find(): the cycle in which the last stamp with a passing sample retires; -1 if none
-/// does.
+/// Bits     fast::TileShader.
+/// In       triangle(), then run() for its tiles. When there are too many to keep, those noted so
+///          far are tested.
+/// Out      find(): the cycle in which the last stamp with a passing sample retires; -1 if there is
+///          none.
 class LastWrite {
  public:
   explicit LastWrite(const spec::Contract& contract) : contract_(contract) {}
 
   /// The buffer's depths are cleared where they are needed.
-  void begin_frame(const spec::FrameState& frame, core::TiledBuffer* buffer);
+  void begin_frame(const spec::FrameState& frame, fast::TiledBuffer* buffer);
   /// A triangle that setup sends.
   void triangle(const spec::Triangle& triangle);
-  /// A tile of the last triangle, of whose stamps that of test 0 retires, or would, in `retire`,
-  /// and the others a cycle later each.
+  /// A tile of the last triangle. The stamp of test k retires in `retire` + k.
   void run(int tile_x, int tile_y, Cycle retire);
-  /// The same where they come at other times: retires() for each of its stamps.
+  /// A tile of the last triangle, whose stamps retire in other cycles: retires() is called for each
+  /// of its stamps.
   void run(int tile_x, int tile_y);
   void retires(Cycle cycle) { irregular_.push_back(cycle); }
 
@@ -49,7 +49,7 @@ class LastWrite {
     uint32_t tile;
     uint32_t before;     // the run before it in this tile, kNone
     uint32_t irregular;  // index into irregular_, kNone: regular
-    Cycle retire;        // of test 0; once it is tested of the last stamp that passes, -1 if none
+    Cycle retire;        // of test 0; after test(): of the last stamp that passes, -1 if none does
   };
   void add(int tile_x, int tile_y, uint32_t irregular, Cycle retire);
   void test_tile(uint32_t last_run);
@@ -59,7 +59,7 @@ class LastWrite {
 
   spec::Contract contract_;
   spec::FrameState frame_;
-  core::TiledBuffer* buffer_ = nullptr;
+  fast::TiledBuffer* buffer_ = nullptr;
   int tile_columns_ = 0;
   std::vector<std::array<Corner, 3>> triangles_;
   std::vector<Run> runs_;

@@ -33,16 +33,16 @@ struct Reply {
   Cycle response = 0;  // of a read, later than that of the read before
 };
 
-/// Depth memory. Calls come in order of the cycles in which the requests are offered, within a
-/// cycle reads first, also those between depth and colour. A write accepted in t is seen by a read
-/// accepted from t + 1 on.
+/// Depth memory. Requests come in the order of the cycles in which they are offered, those of the
+/// colour memory among them; within a cycle reads come first. A write accepted in t is seen by a
+/// read accepted from t + 1 on.
 class DepthMemory : public virtual sc_core::sc_interface {
  public:
   virtual Reply read(const spec::DepthRead& request, Cycle offered, spec::DepthData* data) = 0;
   virtual Reply write(const spec::DepthWrite& write, Cycle offered) = 0;
 };
 
-/// Colour memory: as DepthMemory's writes.
+/// Colour memory. The same holds for its writes.
 class ColorMemory : public virtual sc_core::sc_interface {
  public:
   virtual Reply write(const spec::ColorWrite& write, Cycle offered) = 0;

@@ -95,7 +95,8 @@ MemorySocket::Taken MemorySocket::transfer(tlm::tlm_command command, int x, int 
 
 MemorySocket::Taken MemorySocket::transport(tlm::tlm_command command, uint64_t address,
                                             Cycle offered) {
-  // A target that waits lets time pass: what was offered meanwhile is offered now.
+  // A target may wait and so let simulated time pass. A request that should have been offered
+  // meanwhile is offered now.
   offered = std::max(offered, cycles_until(sc_core::sc_time_stamp()));
   handshake_.offered = offered;
   handshake_.accepted = handshake_.retry_from = -1;

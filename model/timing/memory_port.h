@@ -69,7 +69,7 @@ class MemorySocket {
   Taken write(const spec::ColorWrite& write, Cycle offered);
 
  private:
-  // What one byte of a stamp is, at most.
+  // The bytes of the largest stamp of any design.
   static constexpr size_t kMaxStampBytes = size_t{spec::kMaxLanes} * 2 * spec::kMaxAttributes;
   using Bytes = std::array<unsigned char, kMaxStampBytes>;
 

@@ -68,7 +68,7 @@ void RasterTop::set_ready(const Ready& ready) {
 
 namespace {
 
-// Asks the caches for a triangle, ahead of its setup.
+// Fetches a triangle into the processor's cache before setup needs it.
 void prefetch(const std::vector<spec::Triangle>& triangles, size_t i) {
   if (i >= triangles.size()) return;
   const char* const bytes = reinterpret_cast<const char*>(&triangles[i]);
@@ -139,11 +139,12 @@ void RasterTop::begin_frame(const spec::FrameState& state, Listener* listener) {
   run_from_ = first_ready(ready_, ExternalPort::kClear, kClearOffered) + 1;
 }
 
-// Nobody can see how its own memory is reached while that is always ready.
+// Draws without the sockets, straight into a buffer of its own. The memory inside is always ready
+// then and nobody listens, so nobody can tell the difference.
 void RasterTop::clear_direct() {
   const spec::FrameState& state = frame_.state;
   if (state.width != direct_.width || state.height != direct_.height) {
-    direct_ = core::TiledBuffer(contract_, state);
+    direct_ = fast::TiledBuffer(contract_, state);
   } else {
     direct_.clear_depth = spec::cleared_depth(contract_.design, state);
     if (frame_.has_values) {
@@ -155,17 +156,17 @@ void RasterTop::clear_direct() {
   frame_.depth_latency = memory_->fixed_latency();
 }
 
-// Only what time depends on.
+// Chooses the least that must be computed so that the cycles are right; see set_bits().
 void RasterTop::leave_out_bits() {
   if (!is_direct_) {
-    frame_.planes = core::Planes::kDepth;
+    frame_.planes = fast::Planes::kDepth;
     return;
   }
-  frame_.planes = core::Planes::kNone;
+  frame_.planes = fast::Planes::kNone;
   frame_.has_values = false;
   if (!core::tests_depth(contract_, frame_.state)) return;
   if (hierarchical_z_.is_active()) {
-    frame_.planes = core::Planes::kDepth;
+    frame_.planes = fast::Planes::kDepth;
     frame_.has_values = true;
     return;
   }

@@ -1,6 +1,7 @@
 // The rasterizer in time: setup -> traversal -> interpolation and depth test.
 #pragma once
 
+#include "model/timing/counters.h"
 #include "model/timing/frame_memory.h"
 #include "model/timing/interp_ztest_unit.h"
 #include "model/timing/setup_unit.h"
@@ -8,15 +9,6 @@
 #include "model/timing/triangle_source.h"
 
 namespace pineda::timing {
-
-struct FrameResult {
-  Cycle cycles = 0;  // up to and including the last write accepted, the clear if none
-  core::FrameCounters counters;
-  CycleCounters spent;
-  bool knows_passed = true;  // else interpolated, passed and samples_passed count every sample
-
-  const UnitCycles& of(Unit unit) const { return spent.units[static_cast<size_t>(unit)]; }
-};
 
 /// Whose memories a RasterTop draws into.
 enum class Memories {
@@ -105,7 +97,7 @@ class RasterTop final : public sc_core::sc_module {
   LastWrite last_write_;
   bool bits_ = true;
   bool is_direct_ = false;    // the last frame was drawn into direct_, memory_ did not see it
-  core::TiledBuffer direct_;  // hits stay 0
+  fast::TiledBuffer direct_;  // hits stay 0
 };
 
 }  // namespace pineda::timing

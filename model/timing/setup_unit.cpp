@@ -20,7 +20,7 @@ void SetupUnit::begin_frame(Frame* frame) {
 }
 
 Cycle SetupUnit::take(const spec::Triangle& triangle, Cycle offered) {
-  const core::Drop drop = core::setup(contract_, frame_->state, triangle, &prim_, frame_->planes);
+  const core::Drop drop = fast::setup(contract_, frame_->state, triangle, &prim_, frame_->planes);
   ++frame_->counters.triangles;
   ++frame_->counters.dropped[static_cast<size_t>(drop)];
 
@@ -62,8 +62,8 @@ void SetupUnit::send(Cycle accepted_step) {
   total_frozen_ += last_output_ - offered;
 }
 
-// The steps of a triangle accepted in next_step_, with the freezes among them: of outputs before
-// its own, so all are listed.
+// Reports the cycles of the triangle that is accepted in next_step_: busy in its steps, blocked in
+// the freezes between them. These freezes belong to earlier outputs, so all of them are listed.
 void SetupUnit::report_work(Cycle interval, uint32_t id) const {
   Cycle cycle = next_step_ + frozen_;
   Cycle step = next_step_;
@@ -79,7 +79,8 @@ void SetupUnit::report_work(Cycle interval, uint32_t id) const {
                           id);
 }
 
-// A freeze that no step of a triangle surrounds.
+// Reports a freeze that falls into the time of no triangle: the unit has done its work and waits
+// for an output to be taken. report_work() reports all other freezes.
 void SetupUnit::report(const Freeze& freeze) const {
   if (frame_->listener == nullptr) return;
   const Cycle from = freeze.step + frozen_;
@@ -94,7 +95,9 @@ void SetupUnit::drain() {
 }
 
 Cycle SetupUnit::idle_from() const {
-  // A freeze still ahead of empty_step_ belongs to an output, which then is the later of the two.
+  // total_frozen_ also counts freezes after empty_step_, which would make the first value too
+  // large. But such a freeze ends with its output taken, and then the second value is the larger
+  // one.
   return std::max(empty_step_ + total_frozen_, last_output_ + 1);
 }
 

@@ -23,13 +23,14 @@ namespace pineda::timing {
 /// Timing. An output that is offered and not taken freezes the whole unit. So the unit has a time
 /// of its own, its steps: a step is a cycle without such a freeze, and
 ///   cycle(step) = step + the cycles frozen at steps up to and including it.
-/// In steps, triangle n is accepted and its output offered in
+/// In steps, triangle n is accepted in the least accept[n] with
 ///   accept[n] >= accept[n-1] + (dropped[n-1] ? drop : interval),  cycle(accept[n]) >= offered[n],
-///   output[n] = accept[n] + latency,
-/// the least such accept[n]. The unit freezes at step output[n] for as many cycles as the FIFO
-/// takes the output later than cycle(output[n]): with the freezes of earlier outputs, which are all
-/// known when output n is handed over. Later triangles may be accepted before that step, so a
-/// freeze waits in a list until the acceptances have come past its step.
+/// and its output is offered in
+///   output[n] = accept[n] + latency.
+/// If the FIFO takes the output k cycles later than cycle(output[n]), the unit freezes for k cycles
+/// at step output[n]. The freezes of earlier outputs, which cycle() needs, are all known when
+/// output n is handed over. Later triangles may be accepted before step output[n], so a freeze
+/// waits in a list until triangles are accepted after its step.
 class SetupUnit final : public sc_core::sc_module, public StreamIn<spec::Triangle> {
  public:
   sc_core::sc_export<StreamIn<spec::Triangle>> tri_i{"tri_i"};
@@ -63,10 +64,10 @@ class SetupUnit final : public sc_core::sc_module, public StreamIn<spec::Triangl
   Frame* frame_ = nullptr;
   spec::SetupPrim prim_;
   Cycle next_step_ = 0;         // the first step in which a triangle can be accepted
-  Cycle empty_step_ = 0;        // the first step without the last triangle, if it was dropped
+  Cycle empty_step_ = 0;        // the first step in which the last triangle, if dropped, is gone
   Cycle busy_ = 0;              // steps spent on triangles
   Cycle frozen_ = 0;            // cycles frozen at steps before next_step_
-  Cycle total_frozen_ = 0;      // the same with those still listed
+  Cycle total_frozen_ = 0;      // frozen_ and the freezes that are still listed
   std::deque<Freeze> freezes_;  // at steps that no acceptance has reached yet
   Cycle last_output_ = -1;      // the cycle in which the last output was taken
 };

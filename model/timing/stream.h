@@ -15,9 +15,9 @@ namespace pineda::timing {
 template <class T>
 class StreamIn : public virtual sc_core::sc_interface {
  public:
-  /// Takes a token that is visible from the cycle `visible` on; returns the cycle in which it is
-  /// taken, later than that of the token before. All that the token causes further on is known by
-  /// then.
+  /// Takes a token that is visible from the cycle `visible` on. Returns the cycle in which it is
+  /// taken, which is later than that of the token before. When it returns, all that the token
+  /// causes further down the pipeline has been computed.
   virtual Cycle take(const T& token, Cycle visible) = 0;
 };
 

@@ -9,8 +9,8 @@ namespace pineda::timing {
 /// A tile that is neither rejected nor hidden, with its stamps.
 struct TileToken {
   const spec::SetupPrim* prim = nullptr;
-  const core::TileCover* cover = nullptr;
-  spec::Stamp* stamp = nullptr;  // if Frame::tokens: what all stamps of the tile share
+  const fast::TileCover* cover = nullptr;
+  spec::Stamp* stamp = nullptr;  // what all stamps of the tile share; only if Frame::tokens
 };
 
 /// A stamp of a tile that has a covered sample.
@@ -24,25 +24,27 @@ struct StampToken {
 /// A stream of stamps, which can take the run of a tile at once.
 class StampIn : public StreamIn<StampToken> {
  public:
-  /// All stamps of a tile; that of test k is visible from first_visible + k on. If each can be
-  /// taken in that cycle, takes them all; else nothing happens, and they have to come one by one.
+  /// All stamps of a tile; the stamp of test k is visible from first_visible + k on. Takes them all
+  /// if each can be taken in the cycle in which it becomes visible. Else it returns false, and the
+  /// stamps have to come one by one.
   virtual bool take_run(const TileToken& tile, Cycle first_visible) = 0;
 };
 
 /// Its producer's end.
 class StampStream : public StreamOut<StampToken> {
  public:
-  /// All stamps of a tile; that of test k is offered from first_offered + k on. As
-  /// StampIn::take_run().
+  /// All stamps of a tile; the stamp of test k is offered from first_offered + k on. True if all
+  /// are taken, as by StampIn::take_run().
   virtual bool push_run(const TileToken& tile, Cycle first_offered) = 0;
 };
 
 /// The FIFO between traversal and interpolation.
 ///
-/// Rate     a run flows freely, push[k] = offered[k] and pop[k] = push[k] + 1 for each stamp k of
-///          it, if the consumer takes each when it sees it. The slots are free by then, from depth
-///          2 on: it takes the first stamp in push[0] + 1, so pop[-1] <= push[0], and as pops only
-///          grow pop[k - depth] <= pop[k - 2] <= push[k] - 1.
+/// Rate     if the consumer takes each stamp of a run when it becomes visible, the run flows
+///          freely: push[k] = offered[k] and pop[k] = push[k] + 1 for each stamp k of it. A slot is
+///          free for each of them if the depth is 2 or more: the consumer takes stamp 0 in push[0]
+///          + 1, so pop[-1] <= push[0], and pops only grow, so pop[k - depth] <= pop[k - 2] <=
+///          push[k] - 1.
 class StampFifo final : public TimedFifo<StampToken, StampIn, StampStream> {
  public:
   StampFifo(sc_core::sc_module_name name, int depth) : TimedFifo(name, Fifo::kStamps, depth) {}

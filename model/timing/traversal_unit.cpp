@@ -6,7 +6,8 @@ namespace pineda::timing {
 
 namespace {
 
-// Takes a token in the cycle of the last test, if it is there; the first test comes after.
+// Takes the next token, as early as in the cycle of the last test. The first test of the new token
+// is in the cycle after that.
 Cycle taken(Cycle visible, LocalTime* time) {
   const Cycle cycle = std::max(time->now() - 1, visible);
   time->starve(cycle + 1);
@@ -35,7 +36,7 @@ void TraversalUnit::begin_frame(Frame* frame) {
   stamp_walker_.begin_frame(frame->listener);
   floors_.reset();
   if (frame->hierarchical_z != nullptr && frame->hierarchical_z->is_active()) {
-    floors_.emplace(contract_, frame->state, core::TileShader::Values::kDepth);
+    floors_.emplace(contract_, frame->state, fast::TileShader::Values::kDepth);
   }
 }
 
@@ -71,7 +72,7 @@ void TraversalUnit::walk_tiles(const spec::SetupPrim& prim) {
   }
 }
 
-// The same tile by tile, since the planes of their stamps are stepped as well.
+// As walk_tiles(), but also steps the planes from tile to tile, since stamps are made with them.
 void TraversalUnit::walk_stamps(const spec::SetupPrim& prim) {
   using Test = core::TileWalk::Test;
   core::FrameCounters& counters = frame_->counters;
@@ -90,7 +91,7 @@ void TraversalUnit::walk_stamps(const spec::SetupPrim& prim) {
   }
 }
 
-// With its stamps.
+// Finds the coverage of the tile's stamps and hands the tile over.
 void TraversalUnit::send(const TileToken& tile) {
   walk_.cover_stamps(&cover_, &frame_->stamps_by_samples);
   frame_->counters.tiles_accepted += cover_.accepted ? 1 : 0;
@@ -98,10 +99,10 @@ void TraversalUnit::send(const TileToken& tile) {
   time_.spend(Cause::kBlocked, tiles_.push(tile, time_.now()), tile.prim->id);
 }
 
-// Coverage takes about as long as the memory.
+// Fetches the tile's values into the processor's cache. They arrive while its coverage is found.
 void TraversalUnit::prefetch() const {
   if (!frame_->has_values) return;
-  frame_->buffer->prefetch(cover_, frame_->planes == core::Planes::kAll);
+  frame_->buffer->prefetch(cover_, frame_->planes == fast::Planes::kAll);
 }
 
 bool TraversalUnit::is_hidden() {
@@ -117,7 +118,7 @@ void TraversalUnit::StampWalker::begin_frame(Listener* listener) {
 
 Cycle TraversalUnit::StampWalker::take(const TileToken& tile, Cycle visible) {
   const Cycle cycle = taken(visible, &time);
-  const core::TileSamples& covered = tile.cover->covered;
+  const fast::TileSamples& covered = tile.cover->covered;
   const int tests = tile.cover->box.tests();
   if (covered.count == 0) {
     time.work(tests, tile.prim->id);
@@ -131,7 +132,7 @@ Cycle TraversalUnit::StampWalker::take(const TileToken& tile, Cycle visible) {
 }
 
 void TraversalUnit::StampWalker::walk(const TileToken& tile) {
-  const core::TileCover& cover = *tile.cover;
+  const fast::TileCover& cover = *tile.cover;
   const spec::Design& d = unit_.contract_.design;
   const uint32_t id = tile.prim->id;
   int tested = 0;
@@ -143,7 +144,7 @@ void TraversalUnit::StampWalker::walk(const TileToken& tile) {
     tested = test + 1;
     if (tile.stamp != nullptr) {
       const int columns_log2 = cover.box.columns_log2;
-      tile.stamp->mask = core::lanes_of(d, cover.covered, place);
+      tile.stamp->mask = fast::lanes_of(d, cover.covered, place);
       tile.stamp->x = (cover.x << columns_log2) + (place & ((1 << columns_log2) - 1));
       tile.stamp->y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2);
     }

@@ -10,7 +10,7 @@ namespace pineda::timing {
 
 /// Traversal: the tiles of a triangle's box, then the stamps of each tile that is not rejected.
 ///
-/// Bits     core::TileWalk and core::StampWalk define every output bit, core::TileCoverWalk finds
+/// Bits     core::TileWalk and core::StampWalk define every output bit, fast::TileCoverWalk finds
 ///          the same faster; this class adds only time.
 /// In       prim_i: edges and planes at the first sample of the box's first tile.
 /// Out      stamp_o: coverage mask and planes of one stamp; never empty.
@@ -73,9 +73,9 @@ class TraversalUnit final : public sc_core::sc_module, public StreamIn<spec::Set
   spec::Contract contract_;
   Frame* frame_ = nullptr;
   LocalTime time_;  // of the tile walker
-  core::TileCoverWalk walk_;
-  core::TileCover cover_;
-  std::optional<core::TileShader> floors_;  // hierarchical z
+  fast::TileCoverWalk walk_;
+  fast::TileCover cover_;
+  std::optional<fast::TileShader> floors_;  // hierarchical z
   std::optional<core::TileWalk> planes_;    // if Frame::tokens: what stamps are made of
   spec::Tile tile_;
   spec::Stamp stamp_;

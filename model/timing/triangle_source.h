@@ -14,9 +14,10 @@ using Pull = std::function<bool(spec::Triangle*)>;
 /// The next triangle of the frame, good until the next call; null at the end.
 using Next = std::function<const spec::Triangle*()>;
 
-/// Offers triangles from a function: one is offered from the first cycle on in which its port is
-/// ready after the triangle before it is taken, and until it is taken itself; the first one from
-/// cycle 0 on.
+/// Offers the triangles that a function gives, one after the other. The first one is offered from
+/// cycle 0 on, any other after the one before it is taken: from the first cycle on in which the
+/// port is ready, until it is taken.
+///
 /// Errors   tri_o left unbound: SC_REPORT_FATAL "pineda/triangles/unbound".
 class TriangleSource final : public sc_core::sc_module {
  public:

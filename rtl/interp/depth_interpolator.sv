@@ -56,7 +56,7 @@ module depth_interpolator (
     localparam int unsigned ROW = lane / (1 << WIDTH_LOG2);
     logic signed [PLANE_BITS-1:0] value;
     logic [OUT_BITS-1:0] code;
-    // 'x while the lane has no sample costs no gate and saves the simulator the work.
+    // 'x while the lane has no sample: it costs no gate and saves the simulator work.
     always_comb begin
       value = 'x;
       if (valid_q && mask_q[lane]) begin

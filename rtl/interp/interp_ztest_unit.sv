@@ -30,8 +30,8 @@ module interp_ztest_unit (
   input  logic                      depth_write_i,
 
 `ifdef PINEDA_HIERARCHICAL_Z
-  // All samples of a stamp in the frame are read, so that its greatest depth is known when its depth
-  // write is accepted
+  // All samples of a stamp in the frame are read, so that its greatest depth is known when its
+  // depth write is accepted
   input  logic [pineda_pkg::FRAME_SIZE_BITS-1:0] frame_width_i,
   input  logic [pineda_pkg::FRAME_SIZE_BITS-1:0] frame_height_i,
   output logic                      depth_max_valid_o,
@@ -131,7 +131,7 @@ module interp_ztest_unit (
   logic test;
   assign test = depth_func_i != pineda_pkg::DEPTH_OFF;
 
-  // ---- Issue: a stamp enters when nobody ahead of it can still write what it reads
+  // ---- Issue: a stamp enters when no stamp ahead of it can still write what it reads
   logic hazard, table_full, table_empty, accept, retire;
   assign depth_rd_valid_o = stamp_valid_i && test && !hazard && !table_full;
   assign stamp_ready_o = !hazard && !table_full && (!test || depth_rd_ready_i);
@@ -315,7 +315,7 @@ module interp_ztest_unit (
 `endif
 
 `ifdef PINEDA_ATTRIBUTES
-  // ---- Attributes. A stamp enters when there is room behind the pipe, which so never stops.
+  // ---- Attributes. A stamp enters when there is room behind the pipe, so the pipe never stops.
   localparam int unsigned ROOM = pineda_pkg::ATTRIBUTE_CYCLES + 1;
   localparam int unsigned ATTRS_BITS = LANES * pineda_pkg::ATTRIBUTES * pineda_pkg::ATTR_BITS;
   logic attr_valid, attr_ready, token_valid, color_valid;
@@ -353,7 +353,8 @@ module interp_ztest_unit (
     .out_valid_o(color_valid), .out_ready_i(token_valid && color_wr_ready_i),
     .out_data_o(color_wr_o.attr)
   );
-  // Address, mask and flat attributes of every stamp that entered, from the first cycle on.
+  // Address, mask and flat attributes of each stamp that entered, from its first cycle in the pipe
+  // on.
   stream_fifo #(.Width(TOKEN_BITS), .Depth(ROOM)) u_tokens (
     .clk_i, .rst_ni,
     .in_valid_i(color_pending_q), .in_ready_o(colors_ready), .in_data_i(token),

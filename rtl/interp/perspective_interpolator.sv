@@ -58,7 +58,8 @@ module perspective_interpolator (
     end
   end
 
-  // ---- The lanes in each stage, the newest lowest; a stamp that starts has some
+  // ---- The lanes that have a sample in each stage, the first stage lowest. A stamp that starts
+  // has at least one.
   logic [STAGES*LANES-1:0] mask_q;
   logic [STAGES:0] valid;
   assign valid[0] = start_i;
@@ -71,7 +72,7 @@ module perspective_interpolator (
     else mask_q <= {mask_q[(STAGES-1)*LANES-1:0], start_i ? mask_i : '0};
   end
 
-  // ---- What the lanes share, beside them
+  // ---- What all lanes of a stamp share goes along beside them
   always_ff @(posedge clk_i) begin
     if (valid[0]) begin
       inverse_w_1_q <= inverse_w_q;

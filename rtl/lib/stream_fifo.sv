@@ -1,8 +1,8 @@
 // A FIFO between two ready/valid streams.
 //
-// Rate     one token a cycle in and out; latency 1 cycle, never a combinational path through it.
 // In       in_data_i, taken when in_valid_i && in_ready_o.
 // Out      out_data_o, stable while out_valid_o && !out_ready_i.
+// Rate     one token a cycle in and out; latency 1 cycle, never a combinational path through it.
 // Errors   none: a full FIFO is not ready, an empty one not valid.
 module stream_fifo #(
   parameter int unsigned Width = 8,

@@ -10,7 +10,7 @@ module reciprocal_align #(
   output logic [LengthBits-1:0]  length_o,
   output logic [Width-1:0]       aligned_o
 );
-  // 'x while nothing comes costs no gate and saves the simulator the work.
+  // 'x while no value is there: it costs no gate and saves the simulator work.
   always_comb begin
     length_o = 'x;
     if (valid_i) begin

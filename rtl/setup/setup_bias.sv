@@ -1,8 +1,8 @@
-// Depth bias from its slope term: the constant added, saturated. No state.
+// Depth bias: the slope term and the constant added, then saturated. No state.
 //
-// Bits     depth_bias() in model/core/setup.cpp.
+// Bits     core::setup() defines the bias of its depth plane.
 // In       slope_i: magnitude times slope factor, in units of 2^-16 codes.
-// Twin     model/core/setup.cpp.
+// Twin     model/core/planes.cpp.
 `ifdef PINEDA_DEPTH
 module setup_bias (
   input  pineda_pkg::frame_t                                                           frame_i,

@@ -1,6 +1,6 @@
 // The box of samples that a triangle can cover, clipped by the scissor. No state.
 //
-// Bits     clip_box() in model/core/setup.cpp.
+// Bits     core::setup() defines the box of samples.
 // Out      box_o: x0, y0, x1, y1, the first lowest; of no meaning where empty_o.
 // Twin     model/core/setup.cpp.
 module setup_box (

@@ -4,7 +4,7 @@
 // Bits     core::setup().
 // Twin     model/core/setup.cpp.
 module setup_canonical (
-  input  logic                   valid_i, // else nobody looks, and the simulator saves the work
+  input  logic                   valid_i, // else the output is not used, nor computed
   input  pineda_pkg::frame_t     frame_i,
   input  pineda_pkg::triangle_t  tri_i,
   input  logic [1:0]             anchor_i,

@@ -6,7 +6,7 @@
 // Out      prim_o: the planes are those of prim_i.
 // Twin     model/core/setup.cpp.
 module setup_edges (
-  input  logic                                           valid_i, // else nobody looks
+  input  logic                                           valid_i, // else prim_o is not used
   input  pineda_pkg::triangle_t                          tri_i,
   input  logic [4*pineda_pkg::PIXEL_BITS-1:0]            box_i,
   input  logic signed [pineda_pkg::EDGE_COEFF_BITS-1:0]  dx1_i,
@@ -49,7 +49,7 @@ module setup_edges (
       {prim_o.y1, prim_o.x1, prim_o.y0, prim_o.x0} = box_i;
       prim_o.a = {dy2_i, COEFF_BITS'(-edge1_dy), COEFF_BITS'(-dy1_i)};
       prim_o.b = {COEFF_BITS'(-dx2_i), edge1_dx, dx1_i};
-      // Biased before the shift, then in steps of whole pixels: the low bits never change.
+      // The low S bits are left out: E moves in steps of whole pixels, which never change them.
       prim_o.e = {e2[AREA2_BITS-1:S], e1[AREA2_BITS-1:S], e0[AREA2_BITS-1:S]};
 `ifdef PINEDA_PERSPECTIVE
       prim_o.e_low = {e2[S-1:0], e1[S-1:0], e0[S-1:0]};

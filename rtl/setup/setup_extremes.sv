@@ -1,6 +1,6 @@
 // The extremes of a triangle and its anchor: the topmost, then leftmost vertex. No state.
 //
-// Bits     clip_box() and anchor() in model/core/setup.cpp.
+// Bits     core::setup() defines the anchor, the first vertex of its canonical order.
 // Twin     model/core/setup.cpp.
 module setup_extremes (
   input  logic [3*pineda_pkg::COORD_BITS-1:0]       x_i, // vertex 0 lowest

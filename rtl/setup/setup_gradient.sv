@@ -1,8 +1,8 @@
 // A gradient from its numerator times the reciprocal: shifted, rounded half up, wrapped. No state.
 //
-// Bits     gradient() in model/core/setup.cpp.
+// Bits     core::setup() defines the gradients of its planes.
 // Out      gradient_o with F fraction bits; cut_o, the whole value truncated one bit below that.
-// Twin     model/core/setup.cpp.
+// Twin     model/core/planes.cpp.
 `ifdef PINEDA_PLANES
 module setup_gradient #(
   parameter int unsigned ProductBits = 1,
@@ -14,7 +14,7 @@ module setup_gradient #(
   output logic signed [ProductBits-1:0]            cut_o,
   output logic signed [WideBits-1:0]               gradient_o
 );
-  // product * 2^-shift: cut one bit short of it, add one, halve.
+  // product * 2^-shift, rounded half up: shifted by one bit less, one added, halved.
   localparam int unsigned SHIFT_BITS = 7;
   localparam int unsigned SHIFT_BASE = pineda_pkg::RECIPROCAL_BITS - 2 -
       pineda_pkg::GRADIENT_FRACTION_BITS - pineda_pkg::SUBPIXEL_BITS + FractionBits;

@@ -1,9 +1,9 @@
 // Magnitude of a depth gradient for the depth bias: rounded half up, saturated. No state.
 //
-// Bits     depth_bias() in model/core/setup.cpp.
+// Bits     core::setup() defines the bias of its depth plane.
 // In       cut_i: the gradient, not wrapped, truncated one bit below F fraction bits.
 // Out      UQ<depth_bits+3>.8: from -2^n to 2^n - 1 before its sign was dropped.
-// Twin     model/core/setup.cpp.
+// Twin     model/core/planes.cpp.
 `ifdef PINEDA_DEPTH
 module setup_magnitude #(
   parameter int unsigned CutBits = pineda_pkg::DEPTH_NUMERATOR_BITS

@@ -5,7 +5,7 @@
 //          offsets; valid_i: which of the six cycles from SETUP_PLANES_STEP on have one.
 // Out      prim_o: prim_i with the planes, in cycle SETUP_PLANES_STEP + 6.
 // Rate     a triangle an enabled cycle.
-// Twin     model/core/setup.cpp, plane().
+// Twin     model/core/planes.cpp.
 `ifdef PINEDA_SETUP_PIPELINED
 `ifdef PINEDA_PLANES
 module setup_parallel_planes (
@@ -37,7 +37,7 @@ module setup_parallel_planes (
   localparam int unsigned LENGTH_BITS = pineda_pkg::AREA2_LENGTH_BITS;
   localparam int unsigned RECIPROCAL_DONE = 5 + pineda_pkg::RECIPROCAL_CYCLES;
 
-  // ---- What the stages want, in the cycle in which they want it
+  // ---- The inputs of the stages, each delayed to the cycle in which its stage takes it
   logic [K-1:0] mantissa, mantissa3;
   logic [LENGTH_BITS-1:0] length, length4;
   reciprocal_pipelined #(.LengthBits(LENGTH_BITS)) u_reciprocal (
@@ -89,8 +89,8 @@ module setup_parallel_planes (
   localparam int unsigned ATTRIBUTES = pineda_pkg::ATTRIBUTES;
   localparam int unsigned ATTR_BITS = pineda_pkg::ATTR_BITS;
   localparam int unsigned BITS = pineda_pkg::ATTR_PLANE_BITS;
-  // With a fraction bit, always 0, as VALUE_FRACTION_BITS has without depth: the gradient's shift
-  // less one must not be negative.
+  // Attributes are integers, but get one fraction bit, always 0: the gradient is shifted by one
+  // less than its fraction bits say, which must not be negative. VALUE_FRACTION_BITS does the same.
   localparam int unsigned VALUE_BITS = ATTR_BITS + 1;
   localparam int unsigned NUMERATOR_BITS = pineda_pkg::ATTR_NUMERATOR_BITS + 1;
   logic [ATTRIBUTES*BITS-1:0] attr_dx, attr_dy, attr_ref;

@@ -1,11 +1,12 @@
 // Planes through three vertices, one an enabled cycle: a pipeline of six stages.
 //
 // Bits     core::setup() defines them. Gradients and references wrap by design.
-// In       values in canonical order (anchor first) in stage 0; dx1_i to dy2_i in stage 1, mantissa_i
-//          in stage 3, length_i in 4, ref_x_i and ref_y_i in 5. valid_i: which stages are taken.
+// In       values in canonical order (anchor first) in stage 0; dx1_i to dy2_i in stage 1,
+//          mantissa_i in stage 3, length_i in 4, ref_x_i and ref_y_i in 5. valid_i: which stages
+//          are taken.
 // Out      dx_o, dy_o, ref_o after stage 5; cut_x_o and cut_y_o in stage 4: the gradients as
 //          setup_gradient has them.
-// Twin     model/core/setup.cpp, plane().
+// Twin     model/core/planes.cpp.
 `ifdef PINEDA_PLANES
 module setup_plane #(
   parameter int unsigned ValueBits = pineda_pkg::VALUE_BITS,

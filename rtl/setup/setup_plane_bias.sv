@@ -1,9 +1,9 @@
 // The depth bias beside the pipeline that makes the depth plane: in the same cycle.
 //
-// Bits     depth_bias() in model/core/setup.cpp.
+// Bits     core::setup() defines the bias of its depth plane.
 // In       the gradients of depth in stage 4 of setup_plane; valid_i: stages 4 and 5.
 // Out      bias_o after stage 5; steep_o: hierarchical z knows nothing of such a plane.
-// Twin     model/core/setup.cpp.
+// Twin     model/core/planes.cpp.
 `ifdef PINEDA_DEPTH
 module setup_plane_bias #(
   parameter int unsigned CutBits = pineda_pkg::DEPTH_NUMERATOR_BITS

@@ -6,7 +6,7 @@
 // Out      valid_o for PLANES cycles from 6 cycles after start_i on, in order: index_o. bias_o
 //          and steep_o are those of depth while index_o is 0.
 // Rate     a plane every enabled cycle.
-// Twin     model/core/setup.cpp, plane().
+// Twin     model/core/planes.cpp.
 `ifdef PINEDA_PLANES
 module setup_planes (
   input  logic                                           clk_i,

@@ -1,6 +1,6 @@
 // Pixels of one axis whose centres lie in [low, high), clipped by the scissor. No state.
 //
-// Bits     samples() and clip_box() in model/core/setup.cpp.
+// Bits     core::setup() defines the box of samples.
 // Out      first_o to last_o, inclusive; of no meaning where empty_o.
 // Twin     model/core/setup.cpp.
 module setup_range (

@@ -79,7 +79,7 @@ module setup_serial (
   logic clockwise;
   setup_drop u_drop (
 `ifdef PINEDA_COUNTERS
-    // What the box is made from stands still until the end of step 4.
+    // The inputs of the box do not change before the end of step 4.
     .clk_i, .count_i(advance && step_q == STEP_BITS'(4)),
     .no_sample_i(u_box.u_x.no_sample || u_box.u_y.no_sample),
 `endif

@@ -6,7 +6,7 @@
 // Out      factors while busy_o; valid_o the cycle after a plane's last product was asked for, with
 //          index_o: 0 is the first plane, depth if there is any; bias_valid_o likewise.
 // Rate     a product an enabled cycle.
-// Twin     model/core/setup.cpp, plane() and depth_bias().
+// Twin     model/core/planes.cpp.
 `ifdef PINEDA_SETUP_SERIAL
 `ifdef PINEDA_PLANES
 module setup_serial_planes (

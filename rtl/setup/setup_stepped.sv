@@ -3,8 +3,8 @@
 // Bits     core::setup() defines every output bit.
 // In, Out  as setup_unit.
 // Rate     1 triangle every SETUP_INTERVAL_CYCLES; a dropped one takes 5 cycles. Latency
-//          SETUP_PLANES_STEP + PLANES + 6 cycles, 10 without planes. Back-pressure freezes the whole
-//          unit.
+//          SETUP_PLANES_STEP + PLANES + 6 cycles, 10 without planes. Back-pressure freezes the
+//          whole unit.
 // Drops    as setup_unit.
 // Twin     model/core/setup.cpp.
 `ifdef PINEDA_SETUP_STEPPED
@@ -86,7 +86,7 @@ module setup_stepped (
   logic [AREA2_BITS-2:0] abs_area2, abs_area2_q;
   setup_drop u_drop (
 `ifdef PINEDA_COUNTERS
-    // What the box is made from stands still until the next triangle's step 1.
+    // The inputs of the box do not change before the next triangle's step 1.
     .clk_i, .count_i(advance && step_q == STEP_BITS'(4)),
     .no_sample_i(u_box.u_x.no_sample || u_box.u_y.no_sample),
 `endif

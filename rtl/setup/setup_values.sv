@@ -16,7 +16,7 @@ module setup_values (
   localparam int unsigned ATTR_BITS = pineda_pkg::ATTR_BITS;
   localparam int unsigned FIRST = pineda_pkg::PLANES - ATTRIBUTES;
 `endif
-  // 'x while nobody asks costs no gate and saves the simulator the work.
+  // 'x while the values are not used: it costs no gate and saves the simulator work.
   always_comb begin
     values_o = 'x;
     if (valid_i) begin

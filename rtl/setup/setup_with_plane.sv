@@ -4,7 +4,7 @@
 //          ATTR_PLANE_BITS of each value.
 `ifdef PINEDA_PLANES
 module setup_with_plane (
-  input  logic                                           valid_i, // else nobody looks
+  input  logic                                           valid_i, // else prim_o is not used
   input  logic [$clog2(pineda_pkg::PLANES+1)-1:0]        index_i,
   input  logic signed [pineda_pkg::PLANE_BITS-1:0]       dx_i,
   input  logic signed [pineda_pkg::PLANE_BITS-1:0]       dy_i,

@@ -6,8 +6,8 @@
 //          first cycle of the tile's test.
 // In       prim_i. hides_i: the frame's depth function lets tiles be hidden; z_max_i: the greatest
 //          depth stored in tile tile_x_o, tile_y_o, the top bits.
-// Out      tile_o: a tile that no edge rejects and that is not hidden, its edges and planes referred
-//          to its first sample.
+// Out      tile_o: a tile that no edge rejects and that is not hidden, its edges and planes
+//          referred to its first sample.
 // Rate     one tile test a cycle, from one triangle to the next without a bubble, as long as kept
 //          tiles are taken.
 // Twin     model/core/traversal.cpp.
@@ -106,8 +106,8 @@ module tile_walker (
 `endif
 
 `ifdef PINEDA_HIERARCHICAL_Z
-  // The least code of the tile: the plane at the corner where it is least. A steep plane may have
-  // wrapped, so nothing is known of it.
+  // The least depth code of the tile is that of the plane at the corner where it is least. A steep
+  // plane may have wrapped, so nothing is known about its codes.
   logic fresh_q; // the tile's first cycle
   logic signed [TILE_Z_BITS-1:0] least_dx, least_dy, least;
   logic [pineda_pkg::HIERARCHICAL_Z_BITS-1:0] floor;
@@ -128,8 +128,8 @@ module tile_walker (
   assign hidden = 1'b0;
 `endif
 
-  // ---- The tile. Its payload is nobody's business while it is not valid, so nothing is spent on it
-  // then: 'x costs no gate and saves the simulator the work.
+  // ---- The tile. While it is not valid its payload is not used, so it is 'x then: that costs no
+  // gate and saves the simulator work.
 `ifdef PINEDA_AFFINE
   function automatic logic [TILE_ATTR_BITS-1:0] narrow_attr(input logic [ATTR_BITS-1:0] value);
     narrow_attr = value[ATTR_BITS-1:NARROWING];

@@ -8,7 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "model/timing/counter_list.h"
+#include "model/timing/counters.h"
 #include "model/timing/raster_top.h"
 #include "studies/cycles/child.h"
 #include "studies/cycles/retirement.h"
@@ -19,16 +19,20 @@
 namespace pineda::studies {
 namespace {
 
-/// Listens when each triangle wrote last; to the model or to the benches.
-template <class Base, class Cycle>
-class Retirement final : public Base {
+using timing::Cycle;
+
+/// Listens when each triangle wrote last.
+class Retirement final : public timing::Listener {
  public:
-  void depth(Cycle cycle, const spec::DepthWrite& write) override { note(cycle, write.id); }
-  void color(Cycle cycle, const spec::ColorWrite& write) override { note(cycle, write.id); }
+  void depth(Cycle cycle, const spec::DepthWrite& write) override {
+    retired_.note(cycle, write.id);
+  }
+  void color(Cycle cycle, const spec::ColorWrite& write) override {
+    retired_.note(cycle, write.id);
+  }
   const std::vector<int64_t>& cycles() const { return retired_.cycles(); }
 
  private:
-  void note(Cycle cycle, uint32_t id) { retired_.note(static_cast<int64_t>(cycle), id); }
   RetireCycles retired_;
 };
 
@@ -115,23 +119,23 @@ class Comparison {
     bench_options.stall_mode = options_.stall_mode;
     bench_options.seed = options_.seed;
     tb::FrameBench bench(rtl_.library, bench_options);
-    Retirement<tb::Listener, uint64_t> rtl;
-    const tb::FrameResult of_rtl = bench.run(frame_, pull_from(triangles_), &rtl);
-    Retirement<timing::Listener, timing::Cycle> model;
+    Retirement rtl;
+    const timing::FrameResult of_rtl = bench.run(frame_, pull_from(triangles_), &rtl);
+    Retirement model;
     model_.set_bits(true);
     const timing::FrameResult of_model = model_.run(frame_, triangles_, &model);
-    point_.rtl_cycles = static_cast<int64_t>(of_rtl.cycles);
+    point_.rtl_cycles = of_rtl.cycles;
     point_.model_cycles = of_model.cycles;
     point_.same_frame = same(model_.buffer(), bench.buffer());
     point_.retire = retire_errors(model.cycles(), rtl.cycles());
     compare_counters(of_model, of_rtl);
   }
 
-  void compare_counters(const timing::FrameResult& model, const tb::FrameResult& rtl) {
+  void compare_counters(const timing::FrameResult& model, const timing::FrameResult& rtl) {
     const spec::Contract& contract = rtl_.library.contract();
-    const auto counters = timing::counter_list(contract, model.spent, model.counters);
-    const auto differences = timing::counter_differences(
-        counters, timing::counter_list(contract, rtl.spent, rtl.counters));
+    const auto counters = timing::counter_list(contract, model);
+    const auto differences =
+        timing::counter_differences(counters, timing::counter_list(contract, rtl));
     point_.counters = counters.size();
     point_.counters_off = differences.size();
     if (differences.empty()) return;
@@ -171,7 +175,7 @@ class Comparison {
 
   double rtl_seconds(tb::BenchTop* top) const {
     int64_t cycles = 0;
-    const double seconds = seconds_of([&] { cycles = static_cast<int64_t>(top->run()); });
+    const double seconds = seconds_of([&] { cycles = top->run(); });
     require(cycles == point_.rtl_cycles, "the bare RTL", cycles, point_.rtl_cycles);
     if (point_.same_frame && !same(top->buffer(), model_.buffer())) {
       throw std::runtime_error("the bare RTL draws another frame");

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/spec/structs.h"
+#include "model/timing/listener.h"
 
 namespace pineda::studies {
 
@@ -70,25 +70,28 @@ struct Token {
 /// Of tokens in order, the two before `cycle` and three from there on.
 std::vector<Token> tokens_around(const std::vector<Token>& tokens, int64_t cycle);
 
-/// Listens to the model or to the benches; see(boundary, token) hears of every token.
-template <class Base, class Cycle>
-class TokenListener : public Base {
+/// Listens to the model or to a bench; see(boundary, token) hears of every token.
+class TokenListener : public timing::Listener {
  public:
   using See = std::function<void(Boundary, const Token&)>;
 
   explicit TokenListener(See see) : see_(std::move(see)) {}
-  void prim(Cycle cycle, const spec::SetupPrim& t) override { tell(Boundary::kPrim, cycle, t.id); }
-  void stamp(Cycle cycle, const spec::Stamp& t) override { tell(Boundary::kStamp, cycle, t.id); }
-  void depth(Cycle cycle, const spec::DepthWrite& t) override {
+  void prim(timing::Cycle cycle, const spec::SetupPrim& t) override {
+    tell(Boundary::kPrim, cycle, t.id);
+  }
+  void stamp(timing::Cycle cycle, const spec::Stamp& t) override {
+    tell(Boundary::kStamp, cycle, t.id);
+  }
+  void depth(timing::Cycle cycle, const spec::DepthWrite& t) override {
     tell(Boundary::kDepthWrite, cycle, t.id);
   }
-  void color(Cycle cycle, const spec::ColorWrite& t) override {
+  void color(timing::Cycle cycle, const spec::ColorWrite& t) override {
     tell(Boundary::kColorWrite, cycle, t.id);
   }
 
  private:
-  void tell(Boundary boundary, Cycle cycle, uint32_t triangle) {
-    see_(boundary, {static_cast<int64_t>(cycle), triangle});
+  void tell(Boundary boundary, timing::Cycle cycle, uint32_t triangle) {
+    see_(boundary, {cycle, triangle});
   }
   See see_;
 };

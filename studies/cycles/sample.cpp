@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "model/scene/random.h"
+#include "model/spec/random.h"
 
 namespace pineda::studies {
 namespace {
@@ -41,7 +41,7 @@ class Blocks {
 
   SamplePlan plan_;
   uint64_t blocks_;
-  scene::Random random_;
+  spec::Random random_;
   uint64_t stratum_ = 0;
 };
 

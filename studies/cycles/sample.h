@@ -59,8 +59,8 @@ struct CycleEstimate {
 /// r[i] = x[i] - (x[i-1] + x[i+1]) / 2, whose second and third moments are 3/2 and 3/4 of those of
 /// independent x.
 /// Errors   std::invalid_argument: fewer than three windows.
-/// Source: Cochran, Sampling Techniques, 1977, 2.15 (skewness), 5.9 (strata), 5A.12 (one unit a
-/// stratum); von Neumann et al., The Mean Square Successive Difference, 1941.
+/// Source   Cochran, Sampling Techniques, 1977, 2.15 (skewness), 5.9 (strata), 5A.12 (one unit a
+///          stratum); von Neumann et al., The Mean Square Successive Difference, 1941.
 CycleEstimate estimate_cycles(const std::vector<SampledWindow>& windows,
                               timing::Cycle other_cycles);
 

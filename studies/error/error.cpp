@@ -6,7 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "model/core/frame.h"
+#include "model/fast/renderer.h"
 #include "studies/judge/scorer.h"
 
 namespace pineda::studies {
@@ -42,7 +42,7 @@ class DesignContestant final : public Contestant {
     scorer_.score(triangle, truth);
   }
   double frame_seconds(const std::vector<SceneTriangle>& triangles) override {
-    core::Renderer renderer(contract_, frame_);
+    fast::Renderer renderer(contract_, frame_);
     return seconds_of([&] {
       renderer.clear();
       for (const SceneTriangle& t : triangles) renderer.draw(t.snapped);

@@ -37,15 +37,14 @@ struct MeshHit {
 /// is judged by its own corners, any other triangle by triangle; the triangles of strips and fans
 /// follow from the file's corners.
 ///
-/// Bits     a corner may be moved by half a subpixel and a binary32 rounding at the guard band; one
-/// of
-///          a polygon that is not quite plane also by its way into the plane, up to kBentPx. Hits
-///          must be right in number outside of the bands that this gives the edges (and the
-///          diagonals along which a polygon was cut, where snapping may turn a triangle over), and
-///          nowhere more than one of a triangle. A depth must lie within the design's bound, and
-///          the rounding of a corner's binary32, of those that the triangle has so near to the
-///          sample; a colour within the design's bound and the rounding of the corners' colours; a
-///          flat one must be the provoking vertex's.
+/// Bits     a corner may be moved by half a subpixel and a binary32 rounding at the guard band;
+///          that of a polygon that is not quite plane also by its way into the plane, up to
+///          kBentPx. Hits must be right in number outside of the bands that this gives the edges
+///          (and the diagonals along which a polygon was cut, where snapping may turn a triangle
+///          over), and nowhere more than one of a triangle. A depth must lie within the design's
+///          bound, and the rounding of a corner's binary32, of those that the triangle has so near
+///          to the sample; a colour within the design's bound and the rounding of the corners'
+///          colours; a flat one must be the provoking vertex's.
 /// In       memory: 32 bytes a hit of the largest face.
 /// Drops    depths under a depth bias with a slope; colours of a triangle in perspective where the
 ///          design interpolates affinely: not judged here.

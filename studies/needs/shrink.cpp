@@ -14,13 +14,22 @@ using spec::Design;
 using spec::ReciprocalScheme;
 using Designs = std::vector<Design>;
 
-std::string number(bool is_used, int value) { return is_used ? std::to_string(value) : "-"; }
+template <int Design::*Member>
+std::string number(const Design& design) {
+  const spec::Parameter& p = spec::parameter(Member);
+  return p.used(design) ? spec::file_value(p, design) : "-";
+}
 
-template <int Design::*Parameter>
+template <int Design::*Member>
+std::string number_of_planes(const Design& design) {
+  return spec::plane_count(design) > 0 ? std::to_string(design.*Member) : "-";
+}
+
+template <int Design::*Member>
 Designs less(const Design& design) {
   Designs all;
-  for (Design d = design; d.*Parameter > 0;) {
-    --(d.*Parameter);
+  for (Design d = design; d.*Member > 0;) {
+    --(d.*Member);
     // The fraction inside a tile is no longer than that of the gradient.
     d.tile_fraction_bits = std::min(d.tile_fraction_bits, d.gradient_fraction_bits);
     all.push_back(d);
@@ -28,9 +37,15 @@ Designs less(const Design& design) {
   return all;
 }
 
-template <int Design::*Parameter>
+template <auto Member>
 void copy_one(const Design& from, Design* to) {
-  to->*Parameter = from.*Parameter;
+  to->*Member = from.*Member;
+}
+
+/// A number of the table, made less one by one.
+template <int Design::*Member>
+ShrinkableParameter shrinkable_number(std::string (*text)(const Design&) = number<Member>) {
+  return {spec::parameter(Member).key, text, less<Member>, copy_one<Member>};
 }
 
 // The planes' fractions end where the reciprocal's bits do.
@@ -44,7 +59,7 @@ std::string reciprocal_text(const Design& d) {
   if (!spec::has_reciprocal(d)) return "-";
   const bool has_rom = d.reciprocal_scheme == ReciprocalScheme::kNewton ||
                        d.reciprocal_scheme == ReciprocalScheme::kQuadratic;
-  std::string text = spec::reciprocal_scheme_name(d.reciprocal_scheme);
+  std::string text = spec::name_of(d.reciprocal_scheme);
   if (has_rom) text += fmt::format(" lut {}", d.reciprocal_lut_bits);
   if (d.reciprocal_scheme == ReciprocalScheme::kNewton) {
     text += fmt::format(" steps {}", d.reciprocal_newton_steps);
@@ -78,6 +93,11 @@ Designs more_flat(const Design& design) {
     all.push_back(d);
   }
   return all;
+}
+
+template <bool Design::*Switch>
+std::string switched(const Design& design) {
+  return design.*Switch ? "true" : "false";
 }
 
 template <bool Design::*Switch>
@@ -144,11 +164,9 @@ std::vector<Design> reciprocal_front(const Design& design) {
 
 const std::vector<ShrinkableParameter>& shrinkable_parameters() {
   static const std::vector<ShrinkableParameter> all{
-      {"guard_bits", [](const Design& d) { return number(true, d.guard_bits); },
-       less<&Design::guard_bits>, copy_one<&Design::guard_bits>},
-      {"depth_test", [](const Design& d) -> std::string { return d.depth_test ? "true" : "false"; },
-       without<&Design::depth_test>,
-       [](const Design& from, Design* to) { to->depth_test = from.depth_test; }},
+      shrinkable_number<&Design::guard_bits>(),
+      {"depth_test", switched<&Design::depth_test>, without<&Design::depth_test>,
+       copy_one<&Design::depth_test>},
       {"attributes",
        [](const Design& d) { return fmt::format("{} + {} flat", d.attributes, d.flat_attributes); },
        more_flat,
@@ -156,21 +174,14 @@ const std::vector<ShrinkableParameter>& shrinkable_parameters() {
          to->attributes = from.attributes;
          to->flat_attributes = from.flat_attributes;
        }},
-      {"perspective",
-       [](const Design& d) -> std::string { return d.perspective ? "true" : "false"; },
-       without<&Design::perspective>,
-       [](const Design& from, Design* to) { to->perspective = from.perspective; }},
-      {"depth_bits", [](const Design& d) { return number(d.depth_test, d.depth_bits); },
-       less<&Design::depth_bits>, copy_one<&Design::depth_bits>},
-      {"inverse_w_bits", [](const Design& d) { return number(d.perspective, d.inverse_w_bits); },
-       less<&Design::inverse_w_bits>, copy_one<&Design::inverse_w_bits>},
+      {"perspective", switched<&Design::perspective>, without<&Design::perspective>,
+       copy_one<&Design::perspective>},
+      shrinkable_number<&Design::depth_bits>(),
+      shrinkable_number<&Design::inverse_w_bits>(),
       {"reciprocal", reciprocal_text, cheaper_reciprocals, copy_reciprocal},
-      {"tile_fraction_bits",
-       [](const Design& d) { return number(spec::plane_count(d) > 0, d.tile_fraction_bits); },
-       less<&Design::tile_fraction_bits>, copy_one<&Design::tile_fraction_bits>},
-      {"gradient_fraction_bits",
-       [](const Design& d) { return number(spec::plane_count(d) > 0, d.gradient_fraction_bits); },
-       less<&Design::gradient_fraction_bits>, copy_one<&Design::gradient_fraction_bits>},
+      shrinkable_number<&Design::tile_fraction_bits>(number_of_planes<&Design::tile_fraction_bits>),
+      shrinkable_number<&Design::gradient_fraction_bits>(
+          number_of_planes<&Design::gradient_fraction_bits>),
   };
   return all;
 }

@@ -54,18 +54,18 @@ std::optional<spec::PlaneSet> planes_at(const spec::Contract& c, const spec::Tri
 WorstCase start(Random& random, const Range& r) {
   const int reach = r.frame_px / 80 * r.px;
   const auto near = [&](int corner) {
-    return std::clamp(corner + random.coordinate(-reach, reach), r.low, r.high);
+    return std::clamp(corner + random.between(-reach, reach), r.low, r.high);
   };
   const Point first{near(r.low), near(r.low)};
   const Point far{near(r.high), near(r.high)};
-  const Point third{near(random.in(0, 1) != 0 ? 0 : r.high), near(r.high)};
+  const Point third{near(random.between(0, 1) != 0 ? 0 : r.high), near(r.high)};
   WorstCase at;
   at.triangle = triangle(first, far, third);
   // The last sample of a tile.
-  at.x = r.frame_px - 1 - 8 * random.coordinate(0, 6);
-  at.y = r.frame_px - 1 - 8 * random.coordinate(0, 6);
+  at.x = r.frame_px - 1 - 8 * random.between(0, 6);
+  at.y = r.frame_px - 1 - 8 * random.between(0, 6);
   // From one end of the range at the anchor to the other: the reciprocal's error counts in full.
-  const bool up = random.in(0, 1) != 0;
+  const bool up = random.between(0, 1) != 0;
   for (size_t i = 0; i < 3; ++i) {
     const bool top = (i != 0) == up;
     at.triangle.v[i].z = top ? r.depth : 0;
@@ -75,13 +75,13 @@ WorstCase start(Random& random, const Range& r) {
 }
 
 int64_t nudged(Random& random, int64_t value, int most_log2, int64_t low, int64_t high) {
-  const int64_t reach = int64_t{1} << random.in(0, most_log2);
-  return std::clamp(value + random.in(-reach, reach), low, high);
+  const int64_t reach = int64_t{1} << random.between(0, most_log2);
+  return std::clamp(value + random.between(-reach, reach), low, high);
 }
 
 WorstCase changed(Random& random, const Range& r, WorstCase at, Value value) {
-  auto& v = at.triangle.v[static_cast<size_t>(random.in(0, 2))];
-  switch (random.in(0, 2)) {
+  auto& v = at.triangle.v[static_cast<size_t>(random.between(0, 2))];
+  switch (random.between(0, 2)) {
     case 0:
       v.x = static_cast<int32_t>(nudged(random, v.x, 14, r.low, r.high));
       break;

@@ -53,18 +53,18 @@ Codes codes_of(const spec::Contract& contract, const spec::FrameState& frame,
 
 /// A triangle of some 300 px over the whole window and one inside it, on one steep plane.
 std::pair<spec::Triangle, spec::Triangle> coplanar_pair(Random& random) {
-  constexpr int64_t kPx = 256;
-  const int64_t gx = random.in(-16000, 16000);
-  const int64_t gy = random.in(-16000, 16000);
-  const int64_t middle = (int64_t{1} << 31) + random.in(0, 1 << 20);
+  constexpr int kPx = 256;
+  const int64_t gx = random.between(-16000, 16000);
+  const int64_t gy = random.between(-16000, 16000);
+  const int64_t middle = (int64_t{1} << 31) + random.between(0, 1 << 20);
   const auto on_plane = [&](Point a, Point b, Point c) {
     spec::Triangle t = triangle(a, b, c);
     for (auto& v : t.v) v.z = middle + gx * v.x + gy * v.y;
     return t;
   };
   const auto point = [&](int x0, int x1, int y0, int y1) {
-    const int x = random.coordinate(x0 * kPx, x1 * kPx);
-    const int y = random.coordinate(y0 * kPx, y1 * kPx);
+    const int x = random.between(x0 * kPx, x1 * kPx);
+    const int y = random.between(y0 * kPx, y1 * kPx);
     return Point{x, y};
   };
   const Point left = point(-150, -100, -60, -30);

@@ -24,8 +24,7 @@ std::string reciprocal_text(const Design& d) {
     case ReciprocalScheme::kQuadratic:
       return fmt::format("quadratic LUT{}, k{}", d.reciprocal_lut_bits, d.reciprocal_bits);
     default:
-      return fmt::format("{}, k{}", spec::reciprocal_scheme_name(d.reciprocal_scheme),
-                         d.reciprocal_bits);
+      return fmt::format("{}, k{}", spec::name_of(d.reciprocal_scheme), d.reciprocal_bits);
   }
 }
 
@@ -36,11 +35,13 @@ class Points {
 
   std::vector<ParameterPoint> take() { return std::move(points_); }
 
-  void numbers(const char* parameter, int Design::*member, std::initializer_list<int> values) {
+  /// Values of the member.
+  void numbers(int Design::*member, std::initializer_list<int> values) {
+    const spec::Parameter& p = spec::parameter(member);
     for (const int value : values) {
       Design d = base_;
       d.*member = value;
-      add(parameter, fmt::format("{}", value), d, value == base_.*member);
+      add(p.key, spec::file_value(p, d), d, value == base_.*member);
     }
   }
   void switches(const char* parameter, bool Design::*member) {
@@ -78,18 +79,12 @@ class Points {
     scheme(ReciprocalScheme::kRestoring4, 0, 0, 28);
   }
   void styles() {
+    // By rising speed.
     for (const SetupStyle style :
          {SetupStyle::kSerial, SetupStyle::kStepped, SetupStyle::kPipelined}) {
       Design d = base_;
       d.setup_style = style;
-      add("setup_style", spec::setup_style_name(style), d, style == base_.setup_style);
-    }
-  }
-  void tiles() {
-    for (const int log2 : {2, 3, 4, 5}) {
-      Design d = base_;
-      d.tile_log2 = log2;
-      add("tile_px", fmt::format("{}", 1 << log2), d, log2 == base_.tile_log2);
+      add("setup_style", spec::name_of(style), d, style == base_.setup_style);
     }
   }
   void stamps() {
@@ -134,26 +129,25 @@ int64_t cycles_of(const scene::Scene& scene, const Design& design) {
 
 std::vector<ParameterPoint> parameter_points(const Design& base, const spec::FrameState& frame) {
   Points points(base, frame);
-  points.numbers("subpixel_bits", &Design::subpixel_bits, {4, 6, 8, 10, 12});
-  points.numbers("guard_bits", &Design::guard_bits, {9, 10, 11, 12, 13, 14});
+  points.numbers(&Design::subpixel_bits, {4, 6, 8, 10, 12});
+  points.numbers(&Design::guard_bits, {9, 10, 11, 12, 13, 14});
   points.switches("depth_test", &Design::depth_test);
-  points.numbers("depth_bits", &Design::depth_bits, {16, 20, 24, 32});
+  points.numbers(&Design::depth_bits, {16, 20, 24, 32});
   points.attributes();
-  points.numbers("attribute_bits", &Design::attribute_bits, {4, 8, 12, 16});
+  points.numbers(&Design::attribute_bits, {4, 8, 12, 16});
   points.switches("perspective", &Design::perspective);
   points.reciprocals();
-  points.numbers("gradient_fraction_bits", &Design::gradient_fraction_bits,
-                 {10, 12, 14, 16, 18, 20});
-  points.numbers("tile_fraction_bits", &Design::tile_fraction_bits, {4, 6, 8, 10, 14, 18});
+  points.numbers(&Design::gradient_fraction_bits, {10, 12, 14, 16, 18, 20});
+  points.numbers(&Design::tile_fraction_bits, {4, 6, 8, 10, 14, 18});
   points.styles();
-  points.tiles();
+  points.numbers(&Design::tile_log2, {2, 3, 4, 5});
   points.stamps();
   points.switches("hierarchical_z", &Design::hierarchical_z);
-  points.numbers("prim_fifo_depth", &Design::prim_fifo_depth, {1, 2, 4, 16});
-  points.numbers("tile_fifo_depth", &Design::tile_fifo_depth, {1, 2, 4, 16});
-  points.numbers("stamp_fifo_depth", &Design::stamp_fifo_depth, {1, 2, 4, 16});
-  points.numbers("depth_latency_cycles", &Design::depth_latency_cycles, {1, 8, 32, 64});
-  points.numbers("max_depth_latency_cycles", &Design::max_depth_latency_cycles, {8, 16, 32, 64});
+  points.numbers(&Design::prim_fifo_depth, {1, 2, 4, 16});
+  points.numbers(&Design::tile_fifo_depth, {1, 2, 4, 16});
+  points.numbers(&Design::stamp_fifo_depth, {1, 2, 4, 16});
+  points.numbers(&Design::depth_latency_cycles, {1, 8, 32, 64});
+  points.numbers(&Design::max_depth_latency_cycles, {8, 16, 32, 64});
   return points.take();
 }
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
+
+#include "model/figures/coverage.h"
 
 namespace pineda::studies {
 
@@ -24,13 +25,19 @@ int inside_guard(double coordinate) {
 Point point(double x, double y) { return {inside_guard(x), inside_guard(y)}; }
 
 Point in_window(Random& random) {
-  return {random.coordinate(0, int64_t{kWindow.width} * kPx),
-          random.coordinate(0, int64_t{kWindow.height} * kPx)};
+  return {random.between(0, kWindow.width * kPx), random.between(0, kWindow.height * kPx)};
 }
 
+// y first and, below, the last corner first: so the figures of docs/ were drawn.
 Point around(Random& random, Point centre, int reach) {
-  return point(centre.x + random.coordinate(-reach, reach),
-               centre.y + random.coordinate(-reach, reach));
+  const int y = random.between(-reach, reach);
+  return point(centre.x + random.between(-reach, reach), centre.y + y);
+}
+
+spec::Triangle around_three(Random& random, Point centre, int reach) {
+  const Point c = around(random, centre, reach);
+  const Point b = around(random, centre, reach);
+  return triangle(around(random, centre, reach), b, c);
 }
 
 // Corners within `reach` of the window; the line between two of them passes through it.
@@ -58,11 +65,11 @@ spec::Triangle needle(Random& random) {
 
 spec::Triangle sliver(Random& random) {
   const auto [d, w] = unit_lattice(random, 20 * kPx);
-  const Point p{random.coordinate(40, 16340) * kPx + kHalfPx,
-                random.coordinate(40, 16340) * kPx + kHalfPx};
+  const Point p{random.between(40, 16340) * kPx + kHalfPx,
+                random.between(40, 16340) * kPx + kHalfPx};
   // The doubled area is |e1 - 2*e2|.
-  const int e2 = random.coordinate(-1, 1);
-  const int e1 = 2 * e2 + random.coordinate(1, 4) * (random.in(0, 1) != 0 ? 1 : -1);
+  const int e2 = random.between(-1, 1);
+  const int e1 = 2 * e2 + random.between(1, 4) * (random.between(0, 1) != 0 ? 1 : -1);
   return triangle({p.x + d.x, p.y + d.y}, {p.x - d.x + e1 * w.x, p.y - d.y + e1 * w.y},
                   {p.x + e2 * w.x, p.y + e2 * w.y});
 }
@@ -81,8 +88,8 @@ spec::Triangle triangle(Point a, Point b, Point c) {
 
 void randomize_values(Random& random, spec::Triangle* t) {
   const auto draw = [&random](int64_t top) {
-    const int64_t kind = random.in(0, 3);
-    return kind == 0 ? 0 : kind == 1 ? top : random.in(0, top);
+    const int kind = random.between(0, 3);
+    return kind == 0 ? 0 : kind == 1 ? top : random.between(0, top);
   };
   for (auto& v : t->v) {
     v.z = draw(kMaxDepthInput);
@@ -104,15 +111,13 @@ spec::Triangle random_triangle(Random& random, Shape shape) {
   switch (shape) {
     case Shape::k16Px: {
       const int edge = 16384 * kPx;
-      const int64_t low = int64_t{-4} * kPx;
-      const Point centre{random.coordinate(low, edge), random.coordinate(low, edge)};
-      return triangle(around(random, centre, 8 * kPx), around(random, centre, 8 * kPx),
-                      around(random, centre, 8 * kPx));
+      constexpr int low = -4 * kPx;
+      const Point centre{random.between(low, edge), random.between(low, edge)};
+      return around_three(random, centre, 8 * kPx);
     }
     case Shape::k256Px: {
       const Point q = in_window(random);
-      return triangle(around(random, q, 128 * kPx), around(random, q, 128 * kPx),
-                      around(random, q, 128 * kPx));
+      return around_three(random, q, 128 * kPx);
     }
     case Shape::k8192Px:
       return crossing(random, 4096 * kPx);
@@ -130,18 +135,11 @@ Lattice unit_lattice(Random& random, int reach) {
   int a = 0;
   int b = 0;
   while (std::gcd(a, b) != 1) {
-    a = random.coordinate(-reach, reach);
-    b = random.coordinate(-reach, reach);
+    a = random.between(-reach, reach);
+    b = random.between(-reach, reach);
   }
-  // Extended Euclid: s*a + t*b = 1, so that cross((a, b), (-t, s)) = a*s + b*t = 1.
-  int64_t r0 = a, r1 = b, s0 = 1, s1 = 0, t0 = 0, t1 = 1;
-  while (r1 != 0) {
-    const int64_t q = r0 / r1;
-    r0 = std::exchange(r1, r0 - q * r1);
-    s0 = std::exchange(s1, s0 - q * s1);
-    t0 = std::exchange(t1, t0 - q * t1);
-  }
-  return {{a, b}, {static_cast<int>(-t0 * r0), static_cast<int>(s0 * r0)}};
+  const figures::Point w = figures::unit_partner({a, b});
+  return {{a, b}, {static_cast<int>(w.x), static_cast<int>(w.y)}};
 }
 
 }  // namespace pineda::studies

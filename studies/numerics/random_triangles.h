@@ -5,23 +5,13 @@
 #include <cstdint>
 #include <random>
 
+#include "model/spec/random.h"
 #include "model/spec/structs.h"
 
 namespace pineda::studies {
 
-/// Draws numbers; the same ones on every platform.
-class Random {
- public:
-  explicit Random(uint64_t seed) : engine_(seed) {}
-  int64_t in(int64_t low, int64_t high) {  // both inclusive
-    return low + static_cast<int64_t>(engine_() % static_cast<uint64_t>(high - low + 1));
-  }
-  int coordinate(int64_t low, int64_t high) { return static_cast<int>(in(low, high)); }
-  double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }  // [0, 1)
-
- private:
-  std::mt19937_64 engine_;
-};
+/// The figures in docs/ were drawn with this engine.
+using Random = spec::RandomFrom<std::mt19937_64>;
 
 /// A position in subpixels of 2^-8 px.
 struct Point {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <random>
 #include <utility>
 
 namespace pineda::studies {
@@ -147,7 +148,8 @@ std::vector<std::optional<Box>> place_labels(const std::vector<Label>& labels, c
   std::iota(order.begin(), order.end(), 0);
   std::vector<std::optional<Box>> best(labels.size());
   double least = INFINITY;
-  uint32_t random = 1;
+  // Another sequence would lay pictures out otherwise than they were.
+  std::linear_congruential_engine<uint32_t, 1664525, 1013904223, 0> random(1);
   for (int attempt = 0; attempt < kOrders; ++attempt) {
     Placement placement(labels, bounds, marker_px);
     bool moved = true;
@@ -161,8 +163,7 @@ std::vector<std::optional<Box>> place_labels(const std::vector<Label>& labels, c
       best = placement.boxes();
     }
     for (size_t i = order.size(); i > 1; --i) {  // another order
-      random = random * 1664525 + 1013904223;
-      std::swap(order[i - 1], order[(random >> 16) % i]);
+      std::swap(order[i - 1], order[(random() >> 16) % i]);
     }
   }
   return best;

@@ -5,7 +5,7 @@
 #include <deque>
 #include <limits>
 
-#include "model/timing/frame.h"
+#include "model/timing/listener.h"
 
 namespace pineda::studies {
 

@@ -17,8 +17,9 @@ namespace pineda::studies {
 ///
 /// In       spent(), slot(), depth(), color().
 /// Out      write(): a waveform of signals(), to a VCD or FST file.
-/// Memory   16 bytes a change inside the window, twice that while they grow or are sorted: units
-///          report each in its order, but files want one order of all.
+///
+/// It keeps 16 bytes of every change inside the window, and twice that while they grow or are
+/// sorted: each unit reports its own in order, but a file wants one order of all.
 class StateTrace final : public timing::Listener {
  public:
   /// `reads_depth`: a stamp that leaves its FIFO has its depth read in that cycle.

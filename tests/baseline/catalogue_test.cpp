@@ -145,7 +145,7 @@ TEST(HardInput, FourAndTwelveSubpixelBits) {
       Verdict verdict;
       for (int n = 0; n < 150; ++n) {
         const int64_t reach = n % 2 == 0 ? int64_t{40} << bits : int64_t{16383} << bits;
-        const auto draw = [&] { return random.coordinate(-reach, reach); };
+        const auto draw = [&] { return static_cast<int>(random.between(-reach, reach)); };
         std::array<Point, 3> p;
         for (Point& q : p) {
           q.x = draw();

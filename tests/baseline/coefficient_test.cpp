@@ -65,9 +65,9 @@ TEST(EdgeEquation, TruncatedCDrawsASampleBeyondItsEdgeAndTheMendedOneDoesNot) {
   int drawn = 0;
   Verdict mended;
   for (int n = 0; n < kTriangles; ++n) {
-    const int x = random.coordinate(100, 400);
-    const int y = random.coordinate(100, 400);
-    const spec::Triangle t = just_outside(random, {x, y}, random.coordinate(1, 15));
+    const int x = random.between(100, 400);
+    const int y = random.between(100, 400);
+    const spec::Triangle t = just_outside(random, {x, y}, random.between(1, 15));
     ASSERT_FALSE(judge(square(kSize), t).covers(x, y));
     printed::Setup s;
     ASSERT_TRUE(printed::triangle_setup(printed::corners(t), kSize, kSize, &s));
@@ -148,10 +148,10 @@ TEST(CThreeWays, Binary32LosesTheDeterminantAndTheOneVertexFormIsNotAntisymmetri
   int lopsided = 0;
   constexpr int kEdges = 200000;
   for (int n = 0; n < kEdges; ++n) {
-    const int x0 = random.coordinate(0, 8192 * kPx);
-    const int y0 = random.coordinate(0, 8192 * kPx);
-    const int x1 = x0 + random.coordinate(-8 * kPx, 8 * kPx);
-    const int y1 = y0 + random.coordinate(-8 * kPx, 8 * kPx);
+    const int x0 = random.between(0, 8192 * kPx);
+    const int y0 = random.between(0, 8192 * kPx);
+    const int x1 = x0 + random.between(-8 * kPx, 8 * kPx);
+    const int y1 = y0 + random.between(-8 * kPx, 8 * kPx);
     const auto px = [](int v) { return static_cast<float>(v) / kPx; };
     const Vertex2D u{px(x0), px(y0), 0};
     const Vertex2D w{px(x1), px(y1), 0};
@@ -179,7 +179,7 @@ TEST(CThreeWays, InExactIntegersAllAgree) {
   Random random(6);
   for (int n = 0; n < 10000; ++n) {
     std::array<int64_t, 4> p;  // x0, y0, x1, y1
-    for (int64_t& v : p) v = random.in(kGuardLow, kGuardHigh);
+    for (int64_t& v : p) v = random.between(kGuardLow, kGuardHigh);
     const auto [x0, y0, x1, y1] = p;
     const int64_t a = y0 - y1;
     const int64_t b = x1 - x0;

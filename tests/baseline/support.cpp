@@ -80,8 +80,8 @@ const std::vector<std::string>& exact_baselines() {
 spec::Triangle triangle_in(Random& random, int size_px) {
   std::array<Point, 3> p;
   for (Point& q : p) {
-    q.x = random.coordinate(0, size_px * kPx);
-    q.y = random.coordinate(0, size_px * kPx);
+    q.x = random.between(0, size_px * kPx);
+    q.y = random.between(0, size_px * kPx);
   }
   spec::Triangle t = triangle(p[0], p[1], p[2]);
   randomize_values(random, &t);
@@ -95,7 +95,7 @@ std::vector<spec::Triangle> lattice_mesh(Random& random, int size_px) {
   for (int j = 0; j <= quads; ++j) {
     for (int i = 0; i <= quads; ++i) {
       const auto place = [&](int k, bool rim) {
-        const int jitter = random.coordinate(-3, 3);
+        const int jitter = random.between(-3, 3);
         return k == 0       ? kPx
                : k == quads ? (size_px - 1) * kPx
                             : kPx + (k * kSpacing + (rim ? 0 : jitter)) * kHalfPx;
@@ -112,7 +112,7 @@ std::vector<spec::Triangle> lattice_mesh(Random& random, int size_px) {
       const auto at = [&](int di, int dj) {
         return corner[static_cast<size_t>((j + dj) * (quads + 1) + i + di)];
       };
-      const bool falling = random.in(0, 1) != 0;
+      const bool falling = random.between(0, 1) != 0;
       const Point p = falling ? at(0, 0) : at(1, 0);
       const Point q = falling ? at(1, 1) : at(0, 1);
       mesh.push_back(triangle(p, q, falling ? at(1, 0) : at(0, 0)));

@@ -123,8 +123,8 @@ TEST(Points, FillMicroTrianglesAndNotLargeOnes) {
     const double turn = 7 * random.unit();
     const int dx = static_cast<int>(side * std::cos(turn));
     const int dy = static_cast<int>(side * std::sin(turn));
-    const int x = random.coordinate(0, kSize * kPx - 1);
-    const int y = random.coordinate(0, kSize * kPx - 1);
+    const int x = random.between(0, kSize * kPx - 1);
+    const int y = random.between(0, kSize * kPx - 1);
     micro.push_back(triangle({x, y}, {x + dx, y + dy}, {x - dy, y + dx}));
   }
   const Hits by_points = hits_of("points", micro, kSize);

@@ -28,19 +28,19 @@ int bezout(int a, int b, int* x, int* y) {
 Triangle sliver(Random* random, int width, int height) {
   int dx = 0, dy = 0, wx = 0, wy = 0;
   do {
-    dx = random->in(1, 20000);
-    dy = random->in(1, 20000);
+    dx = random->between(1, 20000);
+    dy = random->between(1, 20000);
   } while (bezout(dx, dy, &wy, &wx) != 1);
   wx = -wx;
-  if (random->in(0, 1) == 1) {  // mirrored in y
+  if (random->between(0, 1) == 1) {  // mirrored in y
     dy = -dy;
     wy = -wy;
   }
-  const bool is_one_unit = random->in(0, 1) == 1;
-  const int e1 = is_one_unit ? 1 - 2 * random->in(0, 1) : 0;
-  const int e2 = is_one_unit ? 0 : 1 - 2 * random->in(0, 1);
-  const int x = 256 * random->in(0, width - 1) + 128;
-  const int y = 256 * random->in(0, height - 1) + 128;
+  const bool is_one_unit = random->between(0, 1) == 1;
+  const int e1 = is_one_unit ? 1 - 2 * random->between(0, 1) : 0;
+  const int e2 = is_one_unit ? 0 : 1 - 2 * random->between(0, 1);
+  const int x = 256 * random->between(0, width - 1) + 128;
+  const int y = 256 * random->between(0, height - 1) + 128;
   const auto corner = [&](int corner_x, int corner_y) {
     return random->vertex(static_cast<float>(corner_x) * kSubpixel,
                           static_cast<float>(corner_y) * kSubpixel);
@@ -58,8 +58,8 @@ Scene guard_band() {
   const std::array<float, 3> values{kLow, 0, kHigh};
   for (int i = 0; i < 24; ++i) {
     const auto corner = [&] {
-      return random.vertex(values[static_cast<size_t>(random.in(0, 2))],
-                           values[static_cast<size_t>(random.in(0, 2))]);
+      return random.vertex(values[static_cast<size_t>(random.between(0, 2))],
+                           values[static_cast<size_t>(random.between(0, 2))]);
     };
     scene.triangles.push_back({corner(), corner(), corner()});
   }
@@ -76,10 +76,10 @@ Scene beyond_the_guard_band() {
       16384, -16384 - 0x1p-7f, 16777216, -16777216, 1e9f,      -1e9f,
       3e38f, -3e38f,           32768,    -32768,    kInfinity, -kInfinity};
   for (int i = 0; i < 40; ++i) {
-    const auto value = [&] { return values[static_cast<size_t>(random.in(0, 11))]; };
-    const Vertex inside = random.vertex(random.in(0.f, 67.f), random.in(0.f, 45.f));
-    scene.triangles.push_back(
-        {inside, random.vertex(value(), random.in(0.f, 45.f)), random.vertex(value(), value())});
+    const auto value = [&] { return values[static_cast<size_t>(random.between(0, 11))]; };
+    const Vertex inside = random.vertex(random.uniform(0.f, 67.f), random.uniform(0.f, 45.f));
+    scene.triangles.push_back({inside, random.vertex(value(), random.uniform(0.f, 45.f)),
+                               random.vertex(value(), value())});
   }
   return scene;
 }
@@ -91,8 +91,8 @@ Scene one_pixel() {
   const std::array<float, 5> values{-1, 0, .5, 1, 2};
   for (int i = 0; i < 60; ++i) {
     const auto corner = [&] {
-      return random.vertex(values[static_cast<size_t>(random.in(0, 4))],
-                           values[static_cast<size_t>(random.in(0, 4))]);
+      return random.vertex(values[static_cast<size_t>(random.between(0, 4))],
+                           values[static_cast<size_t>(random.between(0, 4))]);
     };
     scene.triangles.push_back({corner(), corner(), corner()});
   }
@@ -105,8 +105,9 @@ Scene tile_borders() {
   Scene scene{41, 27, Cull::kNone, Depth::kLequal, {}};
   for (int i = 0; i < 60; ++i) {
     const auto corner = [&] {
-      return random.vertex(static_cast<float>(8 * random.in(-1, 6)) + .5f * float(random.in(-1, 1)),
-                           static_cast<float>(8 * random.in(-1, 4)));
+      return random.vertex(
+          static_cast<float>(8 * random.between(-1, 6)) + .5f * float(random.between(-1, 1)),
+          static_cast<float>(8 * random.between(-1, 4)));
     };
     scene.triangles.push_back({corner(), corner(), corner()});
   }
@@ -131,7 +132,7 @@ Scene depth_extremes() {
   Scene scene = pile(64, 48, 30, 36);
   Random random(37);
   for (auto& t : scene.triangles) {
-    for (auto& v : t) v.z = static_cast<float>(random.in(0, 1));
+    for (auto& v : t) v.z = static_cast<float>(random.between(0, 1));
   }
   return scene;
 }
@@ -184,7 +185,7 @@ Scene mesh(int width, int height, int spacing, float step_px, uint64_t seed) {
   const int rows = static_cast<int>(static_cast<float>(height) / spacing_px) + 4;
   std::vector<Vertex> nodes;
   const auto place = [&](int node) {  // the first two nodes lie outside the frame
-    return static_cast<float>(spacing * (node - 1) + random.in(-spacing / 5, spacing / 5)) *
+    return static_cast<float>(spacing * (node - 1) + random.between(-spacing / 5, spacing / 5)) *
            step_px;
   };
   for (int i = 0; i < rows * columns; ++i) {
@@ -202,7 +203,7 @@ Scene mesh(int width, int height, int spacing, float step_px, uint64_t seed) {
   }
   for (size_t i = scene.triangles.size() - 1; i > 0; --i) {
     std::swap(scene.triangles[i],
-              scene.triangles[static_cast<size_t>(random.in(0, static_cast<int>(i)))]);
+              scene.triangles[static_cast<size_t>(random.between(0, static_cast<int>(i)))]);
   }
   return scene;
 }
@@ -211,8 +212,8 @@ Scene pile(int width, int height, int triangles, uint64_t seed) {
   Random random(seed);
   Scene scene{width, height, Cull::kNone, Depth::kLess, {}};
   const auto corner = [&] {
-    const float x = random.in(-.3f, 1.3f) * static_cast<float>(width);
-    return random.vertex(x, random.in(-.3f, 1.3f) * static_cast<float>(height));
+    const float x = random.uniform(-.3f, 1.3f) * static_cast<float>(width);
+    return random.vertex(x, random.uniform(-.3f, 1.3f) * static_cast<float>(height));
   };
   for (int i = 0; i < triangles; ++i) scene.triangles.push_back({corner(), corner(), corner()});
   return scene;
@@ -228,12 +229,12 @@ Scene slivers(int count, uint64_t seed) {
 std::vector<Scene> lone_needles() {
   Random random(41);
   return each_alone(10, 320, 200, [&]() -> Triangle {
-    const float angle = random.in(0.f, 6.2831853f);
-    const float length_px = 100 * std::exp2(random.in(0.f, 6.3f));
-    const float width_px = std::exp2(random.in(-4.f, 1.f));
-    const float along = random.in(.2f, .8f) * length_px;
-    const float x = random.in(100.f, 220.f);
-    const float y = random.in(60.f, 140.f);
+    const float angle = random.uniform(0.f, 6.2831853f);
+    const float length_px = 100 * std::exp2(random.uniform(0.f, 6.3f));
+    const float width_px = std::exp2(random.uniform(-4.f, 1.f));
+    const float along = random.uniform(.2f, .8f) * length_px;
+    const float x = random.uniform(100.f, 220.f);
+    const float y = random.uniform(60.f, 140.f);
     const auto corner = [&](float forward, float aside) {
       return random.vertex(x + forward * std::cos(angle) - aside * std::sin(angle),
                            y + forward * std::sin(angle) + aside * std::cos(angle));
@@ -251,7 +252,7 @@ std::vector<Scene> lone_slivers() {
 std::vector<Scene> lone_giants() {
   Random random(43);
   return each_alone(10, 67, 45, [&]() -> Triangle {
-    const auto far = [&] { return random.in(-16000.f, 16000.f); };
+    const auto far = [&] { return random.uniform(-16000.f, 16000.f); };
     const float x = far();
     const float y = far();
     // The second corner lies opposite to the first, seen from the frame's middle.
@@ -263,7 +264,9 @@ std::vector<Scene> lone_giants() {
 std::vector<Scene> lone_midgets() {
   Random random(44);
   return each_alone(20, 5, 5, [&]() -> Triangle {
-    const auto corner = [&] { return random.vertex(random.in(1.f, 4.f), random.in(1.f, 4.f)); };
+    const auto corner = [&] {
+      return random.vertex(random.uniform(1.f, 4.f), random.uniform(1.f, 4.f));
+    };
     return {corner(), corner(), corner()};
   });
 }

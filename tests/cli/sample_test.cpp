@@ -15,8 +15,8 @@ Scene long_scene() {
   Scene scene;
   for (int i = 0; i < 20'000; ++i) {
     const float side = 2 + static_cast<float>(i) / 4000;
-    const float x = random.in(0.f, 50.f);
-    const float y = random.in(0.f, 40.f);
+    const float x = random.uniform(0.f, 50.f);
+    const float y = random.uniform(0.f, 40.f);
     Triangle triangle;
     triangle[0] = random.vertex(x, y);
     triangle[1] = random.vertex(x + side, y);

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "model/spec/random.h"
+
 namespace pineda::test {
 
 /// Values of .tri lines and .ptrb vertices. The numbers of an enumerator are those of .ptrb.
@@ -35,26 +37,17 @@ std::string tri_text(const Scene& scene);
 /// With_w: each vertex has its W.
 std::string ptrb_bytes(const Scene& scene, bool with_w = false);
 
-/// Draws numbers; the same ones on every machine.
-class Random {
+/// Draws vertices too.
+class Random : public spec::RandomFrom<std::mt19937_64> {
  public:
-  explicit Random(uint64_t seed) : engine_(seed) {}
-  int in(int low, int high) {  // both inclusive
-    return low + static_cast<int>(engine_() % static_cast<uint64_t>(int64_t{high} - low + 1));
-  }
-  float in(float low, float high) {
-    return low + (high - low) * static_cast<float>(engine_() >> 40) * 0x1p-24f;
-  }
+  using RandomFrom::RandomFrom;
   Vertex vertex(float x, float y) {
-    Vertex v{x, y, in(0.f, 1.f), {}};
-    for (auto& channel : v.rgba) channel = static_cast<uint8_t>(in(0, 255));
+    Vertex v{x, y, uniform(0, 1), {}};
+    for (auto& channel : v.rgba) channel = static_cast<uint8_t>(between(0, 255));
     return v;
   }
   /// The same triangle from another corner, wound either way.
   Triangle any_order(Triangle t);
-
- private:
-  std::mt19937_64 engine_;
 };
 
 }  // namespace pineda::test

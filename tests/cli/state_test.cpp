@@ -117,7 +117,7 @@ Scene level_triangles(const State& state) {
   Scene scene = pile(kWidth, kHeight, 60, 71);
   Random random(72);
   for (auto& t : scene.triangles) {
-    const float z = static_cast<float>(random.in(0, 8)) / 8;
+    const float z = static_cast<float>(random.between(0, 8)) / 8;
     for (auto& v : t) v.z = z;
   }
   scene.state = state.lines();
@@ -291,7 +291,7 @@ TEST(ReversedZ, DrawsThePictureOfLess) {
   Scene scene = pile(64, 48, 60, 76);
   Random random(77);
   for (auto& t : scene.triangles) {
-    const float z = static_cast<float>(random.in(1, 63)) / 64;
+    const float z = static_cast<float>(random.between(1, 63)) / 64;
     for (auto& v : t) v.z = z;
   }
   Scene reversed = scene;
@@ -335,7 +335,7 @@ TEST(PerspectiveDesign, TakesTheWOfATriAndSaysNothing) {
   Scene scene = pile(64, 48, 20, 74);
   Random random(75);
   for (auto& t : scene.triangles) {
-    for (auto& v : t) v.w = random.in(1.f, 1000.f);
+    for (auto& v : t) v.w = random.uniform(1.f, 1000.f);
   }
   const std::string text = scratch.write("w.tri", tri_text(scene));
   const Outcome affine = pineda({"render", text, "--quiet", "--dump", scratch.path("affine")});

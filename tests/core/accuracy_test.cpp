@@ -73,7 +73,7 @@ TEST(AccuracyHuge, WithinTheBoundFarFromTheAnchor) {
   Random random(92);
   Errors errors;
   for (int n = 0; n < 4; ++n) {
-    const auto near = [&](int corner) { return corner + random.coordinate(-300 * kPx, 300 * kPx); };
+    const auto near = [&](int corner) { return corner + random.between(-300 * kPx, 300 * kPx); };
     spec::Triangle t =
         triangle({std::max(near(kGuardLow), kGuardLow), std::max(near(kGuardLow), kGuardLow)},
                  {std::min(near(kGuardHigh), kGuardHigh), near(0)},
@@ -113,7 +113,7 @@ TEST(AccuracyHuge, WorstTrianglesKnownComeNearTheBoundAndKeepIt) {
     const exact::Judge exact = judge(kHugeFrame, c.t);
     ASSERT_TRUE(exact.covers(c.x, c.y));
     double error = 0;
-    for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+    core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
       if (stamp.x != c.x / 2 || stamp.y != c.y / 2) return;
       spec::Fragment fragment;
       core::interpolate(kContract, stamp, &fragment);
@@ -131,7 +131,7 @@ TEST(AccuracyConstant, PlaneOfOneValueIsThatValueEverywhere) {
   Errors errors;
   for (int n = 0; n < 500; ++n) {
     spec::Triangle t = random_triangle(random, n % 2 == 0 ? Shape::kGuardBand : Shape::kNeedle);
-    const bool top = random.in(0, 1) != 0;
+    const bool top = random.between(0, 1) != 0;
     for (auto& v : t.v) {
       v.z = top ? kMaxDepthInput : 0;
       v.attr = {top ? 255 : 0, 0, 255, static_cast<int32_t>(n % 256)};
@@ -153,7 +153,7 @@ Codes codes_on_plane(std::array<Point, 3> corners, int64_t gx, int64_t gy) {
   Codes codes;
   spec::SetupPrim prim;
   if (core::setup(kContract, kFrame, t, &prim) != core::Drop::kNone) return codes;
-  for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+  core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
     spec::Fragment fragment;
     core::interpolate(kContract, stamp, &fragment);
     for_each_sample(stamp, [&](int x, int y, size_t lane) { codes[{x, y}] = fragment.z[lane]; });
@@ -167,13 +167,12 @@ std::pair<int, int> compare_coplanar(bool whole_codes_at_centres) {
   int compared = 0;
   int different = 0;
   for (int n = 0; n < 40; ++n) {
-    int64_t gx = random.in(-20000, 20000);
-    int64_t gy = random.in(-20000, 20000);
+    int64_t gx = random.between(-20000, 20000);
+    int64_t gy = random.between(-20000, 20000);
     gx -= whole_codes_at_centres ? gx % 2 : 0;
     gy += (gx + gy + (whole_codes_at_centres ? 0 : 1)) % 2;  // odd sum: halves at the centres
     const auto near_middle = [&random] {
-      return Point{random.coordinate(100 * kPx, 200 * kPx),
-                   random.coordinate(100 * kPx, 200 * kPx)};
+      return Point{random.between(100 * kPx, 200 * kPx), random.between(100 * kPx, 200 * kPx)};
     };
     const Point shared = near_middle();
     const Codes outer = codes_on_plane({{{0, 0}, {299 * kPx + 7, 3}, shared}}, gx, gy);
@@ -215,7 +214,7 @@ TEST(AccuracyMutant, CoarseGradientsBreakTheBound) {
     if (core::setup(kContract, kWindow, t, &prim) != core::Drop::kNone) continue;
     prim.planes.z.dx &= ~int64_t{0xFFF};  // 6 fraction bits, truncated
     const exact::Judge exact = judge(kWindow, t);
-    for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+    core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
       spec::Fragment fragment;
       core::interpolate(kContract, stamp, &fragment);
       for_each_sample(stamp, [&](int x, int y, size_t lane) {

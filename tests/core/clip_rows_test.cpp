@@ -9,7 +9,7 @@ namespace {
 
 std::vector<spec::Stamp> stamps_of(const spec::SetupPrim& prim) {
   std::vector<spec::Stamp> stamps;
-  for_each_stamp(prim, [&](const spec::Tile&, const spec::Stamp& s) { stamps.push_back(s); });
+  core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) { stamps.push_back(stamp); });
   return stamps;
 }
 
@@ -30,7 +30,7 @@ TEST(ClipRows, BandsTogetherSendTheStampsOfTheWhole) {
   Random random(61);
   int compared = 0;
   for (int i = 0; i < 4000; ++i) {
-    const auto shape = static_cast<Shape>(random.in(1, 4));
+    const auto shape = static_cast<Shape>(random.between(1, 4));
     const spec::Triangle t = random_triangle(random, shape);
     spec::SetupPrim prim;
     if (core::setup(kContract, kWindow, t, &prim) != core::Drop::kNone) continue;

@@ -69,7 +69,7 @@ double depth_bound_codes(const spec::Design& d) {
 // A random triangle, its coordinates and depths brought to the design's formats.
 spec::Triangle triangle_for(Random& random, const spec::Design& d) {
   constexpr Shape kShapes[] = {Shape::k256Px, Shape::k8192Px, Shape::kGuardBand, Shape::kNeedle};
-  spec::Triangle t = random_triangle(random, kShapes[random.in(0, 3)]);
+  spec::Triangle t = random_triangle(random, kShapes[random.between(0, 3)]);
   randomize_values(random, &t);
   const int64_t limit = int64_t{1} << (d.guard_bits + d.subpixel_bits);
   for (auto& v : t.v) {

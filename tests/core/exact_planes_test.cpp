@@ -51,7 +51,7 @@ TEST(ExactPlanes, EveryCodeIsTheNearest) {
     const exact::Judge exact = judge(kWindow, t);
     core::Renderer renderer(kExact, kWindow);
     Fragments fragments;
-    renderer.draw_showing_all(t, fragments);
+    renderer.draw(t, fragments);
     ASSERT_EQ(static_cast<int64_t>(fragments.seen.size()), exact.culled() ? 0 : exact.samples());
     for (const auto& s : fragments.seen) {
       const double error = exact.depth_error(s.x, s.y, s.z);
@@ -89,7 +89,7 @@ TEST(ExactPlanes, DefaultDesignIsNotAlwaysTheNearest) {
     const exact::Judge exact = judge(kWindow, t);
     core::Renderer renderer(kContract, kWindow);
     Fragments fragments;
-    renderer.draw_showing_all(t, fragments);
+    renderer.draw(t, fragments);
     for (const auto& s : fragments.seen) {
       wrong += std::abs(exact.depth_error(s.x, s.y, s.z)) > .5 ? 1 : 0;
     }

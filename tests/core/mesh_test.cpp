@@ -26,9 +26,7 @@ Mesh make_mesh(Random& random, int spacing, int lattice) {
   mesh.right = mesh.left + kColumns * spacing;
   mesh.bottom = mesh.top + kRows * spacing;
   std::vector<Point> corners;
-  const auto jitter = [&] {
-    return random.coordinate(-spacing / 5, spacing / 5) / lattice * lattice;
-  };
+  const auto jitter = [&] { return random.between(-spacing / 5, spacing / 5) / lattice * lattice; };
   for (int j = 0; j <= kRows; ++j) {
     for (int i = 0; i <= kColumns; ++i) {
       const bool rim = i == 0 || j == 0 || i == kColumns || j == kRows;
@@ -37,10 +35,10 @@ Mesh make_mesh(Random& random, int spacing, int lattice) {
     }
   }
   const auto add = [&](Point a, Point b, Point c) {
-    for (int64_t turns = random.in(0, 2); turns > 0; --turns) {
+    for (int64_t turns = random.between(0, 2); turns > 0; --turns) {
       a = std::exchange(b, std::exchange(c, a));
     }
-    if (random.in(0, 1) != 0) std::swap(a, b);
+    if (random.between(0, 1) != 0) std::swap(a, b);
     mesh.triangles.push_back(triangle(a, b, c));
   };
   for (int j = 0; j < kRows; ++j) {
@@ -48,7 +46,7 @@ Mesh make_mesh(Random& random, int spacing, int lattice) {
       const auto corner = [&](int di, int dj) {
         return corners[static_cast<size_t>((j + dj) * (kColumns + 1) + i + di)];
       };
-      const bool falling = random.in(0, 1) != 0;
+      const bool falling = random.between(0, 1) != 0;
       const Point p = falling ? corner(0, 0) : corner(1, 0);
       const Point q = falling ? corner(1, 1) : corner(0, 1);
       add(p, q, falling ? corner(1, 0) : corner(0, 0));
@@ -57,7 +55,7 @@ Mesh make_mesh(Random& random, int spacing, int lattice) {
   }
   for (size_t i = mesh.triangles.size() - 1; i > 0; --i) {
     std::swap(mesh.triangles[i],
-              mesh.triangles[static_cast<size_t>(random.in(0, static_cast<int64_t>(i)))]);
+              mesh.triangles[static_cast<size_t>(random.between(0, static_cast<int64_t>(i)))]);
   }
   return mesh;
 }
@@ -140,7 +138,7 @@ TEST(TJunction, HitsDifferFromOneOnlyInsideTheSliver) {
   int cracks = 0;
   for (int n = 0; n < 400; ++n) {
     const auto anywhere = [&] {
-      return Point{random.coordinate(0, 256 * kPx), random.coordinate(0, 256 * kPx)};
+      return Point{random.between(0, 256 * kPx), random.between(0, 256 * kPx)};
     };
     const Point p = anywhere();
     const Point q = anywhere();

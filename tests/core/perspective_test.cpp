@@ -33,7 +33,7 @@ Pair random_pair(const spec::Contract& c, Random& random, Shape shape, double ra
   randomize_values(random, &t);
   std::array<float, 3> w{};
   // Away from 1, so that exponents differ from those of the coordinates.
-  const double scale = std::exp2(static_cast<double>(random.in(-100, 20)));
+  const double scale = std::exp2(static_cast<double>(random.between(-100, 20)));
   for (auto& value : w) value = static_cast<float>(scale * std::pow(ratio, random.unit()));
   const int32_t top = (1 << c.design.attribute_bits) - 1;
   for (size_t i = 0; i < 3; ++i) {

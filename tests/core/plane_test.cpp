@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "model/core/reciprocal.h"
 #include "tests/core/support.h"
 
 namespace pineda::test {
@@ -77,7 +78,7 @@ void compare(const spec::FrameState& frame, const spec::Triangle& t, int early_b
                                  spec::kDepthInputFractionBits, early_bits);
   const WidePlane red = wide_plane(t, prim, {t.v[0].attr[0], t.v[1].attr[0], t.v[2].attr[0]}, 0);
   result->steep += z.dx != prim.planes.z.dx || z.dy != prim.planes.z.dy ? 1 : 0;
-  for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+  core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
     spec::Fragment fragment;
     core::interpolate(kContract, stamp, &fragment);
     for_each_sample(stamp, [&](int x, int y, size_t lane) {
@@ -97,8 +98,8 @@ Comparison compare_steep(int early_bits) {
     const auto shape = n % 3 == 0 ? Shape::kNeedle : n % 3 == 1 ? Shape::kSliver : Shape::k16Px;
     spec::Triangle t = random_triangle(random, shape);
     if (n % 6 == 2) {  // a few subpixels wide
-      t.v[2].x = t.v[1].x + random.coordinate(-9, 9);
-      t.v[2].y = t.v[1].y + random.coordinate(-9, 9);
+      t.v[2].x = t.v[1].x + random.between(-9, 9);
+      t.v[2].y = t.v[1].y + random.between(-9, 9);
     }
     randomize_values(random, &t);
     compare(frame_of(shape), t, early_bits, &result);
@@ -124,7 +125,7 @@ std::map<std::pair<int, int>, spec::Fragment> codes(const spec::Triangle& t, int
   std::map<std::pair<int, int>, spec::Fragment> result;
   spec::SetupPrim prim;
   if (core::setup(kContract, kHugeFrame, t, &prim) != core::Drop::kNone) return result;
-  for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+  core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
     core::interpolate(kContract, stamp, &result[{stamp.x * 2 - x0, stamp.y * 2 - y0}]);
   });
   return result;
@@ -149,8 +150,8 @@ Comparison translate(int step_px) {
       v.y = v.y % (4096 * kPx) + 4096 * kPx;
     }
     randomize_values(random, &t);
-    const int dx = random.coordinate(-400, 400) * step_px;
-    const int dy = random.coordinate(-400, 400) * step_px;
+    const int dx = random.between(-400, 400) * step_px;
+    const int dy = random.between(-400, 400) * step_px;
     spec::Triangle moved = t;
     for (auto& v : moved.v) {
       v.x += dx * kPx;

@@ -1,4 +1,6 @@
 // The reciprocal against 1/area2 in 128-bit integers.
+#include "model/core/reciprocal.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -62,13 +64,13 @@ TEST(Reciprocal, ErrorStaysBelowTheBoundAndTheWorstKnown) {
   // At random, half of them near the end of a cell, where the first guess is worst.
   Random random(41);
   for (int n = 0; n < 3000000; ++n) {
-    const int length = static_cast<int>(random.in(17, kMaxLength));
+    const int length = random.between(17, kMaxLength);
     const int64_t low = int64_t{1} << (length - 1);
-    int64_t area2 = low + random.in(0, low - 1);
+    int64_t area2 = low + random.between(0, low - 1);
     if (n % 2 == 0 && length > kLutBits + 12) {
       const int below = length - 1 - kLutBits;
-      area2 =
-          (area2 >> below << below) - random.in(-1, 1) * random.in(0, int64_t{1} << (below - 9));
+      area2 = (area2 >> below << below) -
+              random.between(-1, 1) * random.between(0, int64_t{1} << (below - 9));
     }
     worst.add(area2);
   }

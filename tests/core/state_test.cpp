@@ -79,12 +79,6 @@ TEST(DepthWrite, OffTestsAndColorsButKeepsTheDepth) {
 TEST(ClearDepth, EachFunctionComparesWithIt) {
   const int64_t middle = 1 << 23;
   const int64_t top = (1 << 24) - 1;
-  struct Ignore {
-    void prim(const spec::SetupPrim&) {}
-    void stamp(const spec::Stamp&) {}
-    void depth(const spec::DepthWrite&) {}
-    void color(const spec::ColorWrite&) {}
-  };
   int seen = 0;
   for (const auto& [z, code] : {std::pair{0., int64_t{0}}, {.5, middle}, {1., top}}) {
     for (int f = 0; f < 9; ++f) {
@@ -96,17 +90,14 @@ TEST(ClearDepth, EachFunctionComparesWithIt) {
             core::depth_test(kContract, frame.depth, 1, {static_cast<uint32_t>(depth)},
                              {static_cast<uint32_t>(code)});
         const bool writes = passes != 0 && frame.depth != DepthFunc::kOff;
-        core::Renderer stamps(kContract, frame), tiles(kContract, frame);
-        stamps.draw(sheet(depth, 9), Ignore{});
-        tiles.draw(sheet(depth, 9));
-        for (core::Renderer* drawn : {&stamps, &tiles}) {
-          for (size_t i : {size_t{0}, drawn->buffer().depth.size() - 1}) {
-            ASSERT_EQ(drawn->buffer().color[4 * i], passes * 9) << f << ' ' << z << ' ' << depth;
-            ASSERT_EQ(drawn->buffer().depth[i], writes ? depth : code) << f << ' ' << z;
-          }
-          drawn->clear();
-          ASSERT_EQ(drawn->buffer().depth[0], code);
+        core::Renderer drawn(kContract, frame);
+        drawn.draw(sheet(depth, 9));
+        for (size_t i : {size_t{0}, drawn.buffer().depth.size() - 1}) {
+          ASSERT_EQ(drawn.buffer().color[4 * i], passes * 9) << f << ' ' << z << ' ' << depth;
+          ASSERT_EQ(drawn.buffer().depth[i], writes ? depth : code) << f << ' ' << z;
         }
+        drawn.clear();
+        ASSERT_EQ(drawn.buffer().depth[0], code);
         seen += static_cast<int>(passes);
       }
     }
@@ -134,10 +125,10 @@ TEST(Scissor, CutsAndChangesNothingElse) {
     spec::Triangle t = random_triangle(random, Shape::k256Px);
     randomize_values(random, &t);
     spec::FrameState cut = kWindow;
-    cut.scissor_x0 = random.coordinate(0, 60);
-    cut.scissor_y0 = random.coordinate(0, 40);
-    cut.scissor_x1 = random.coordinate(cut.scissor_x0, 80);  // beyond the frame at times
-    cut.scissor_y1 = random.coordinate(cut.scissor_y0, 60);
+    cut.scissor_x0 = random.between(0, 60);
+    cut.scissor_y0 = random.between(0, 40);
+    cut.scissor_x1 = random.between(cut.scissor_x0, 80);  // beyond the frame at times
+    cut.scissor_y1 = random.between(cut.scissor_y0, 60);
     core::Renderer whole(kContract, kWindow);
     core::Renderer part(kContract, cut);
     whole.draw(t);
@@ -257,7 +248,7 @@ TEST(DepthBias, IsTheSlopeTimesTheGreaterGradient) {
     spec::Triangle t = random_triangle(random, Shape::k256Px);
     randomize_values(random, &t);
     spec::FrameState frame = kWindow;
-    frame.bias_slope = random.coordinate(-512, 512);
+    frame.bias_slope = random.between(-512, 512);
     spec::SetupPrim prim;
     if (core::setup(kContract, frame, t, &prim) != core::Drop::kNone) continue;
     const auto d = [&](size_t i, size_t j) {

@@ -15,7 +15,7 @@ std::string coverage_difference(const spec::SetupPrim& prim, const judge::Snappe
   const auto note = [&](const char* what, int x, int y) {
     if (difference.empty()) difference = fmt::format("{}: {},{}", what, x, y);
   };
-  for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+  core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
     for_each_sample(stamp, [&](int x, int y, size_t) {
       const judge::Found found = seen.draw(x, y);
       if (found == judge::Found::kExtra) note("extra", x, y);
@@ -43,7 +43,7 @@ void measure(const spec::FrameState& frame, const spec::Triangle& t, Errors* err
   const judge::SnappedTruth truth(kContract.design, frame, t);
   const judge::Values values = judge::values_of(kContract.design);
   int turn = 0;
-  for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+  core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
     if (turn++ % stride != 0) return;
     spec::Fragment fragment;
     core::interpolate(kContract, stamp, &fragment);
@@ -91,7 +91,7 @@ void HitMap::draw(const spec::Triangle& t, Rule rule) {
     prim.x1 = std::min(prim.x1 + 1, frame_.width - 1);
     prim.y1 = std::min(prim.y1 + 1, frame_.height - 1);
   }
-  for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+  core::for_each_stamp(kContract, prim, [&](const spec::Stamp& stamp) {
     for_each_sample(stamp, [&](int x, int y, size_t) {
       ++hits_[static_cast<size_t>(y) * static_cast<size_t>(frame_.width) + static_cast<size_t>(x)];
     });

@@ -43,24 +43,6 @@ inline judge::SnappedTruth truth(const spec::FrameState& frame, const spec::Tria
   return {kContract.design, frame, t};
 }
 
-/// Calls visit(tile, stamp) for each stamp with a covered sample, in the unit's order.
-template <class Visitor>
-void for_each_stamp(const spec::SetupPrim& prim, Visitor&& visit) {
-  core::TileWalk tiles(kContract, prim);
-  core::Tile tile;
-  for (auto test = tiles.next(&tile); test != core::TileWalk::Test::kEnd;
-       test = tiles.next(&tile)) {
-    if (test == core::TileWalk::Test::kRejected) continue;
-    spec::Stamp stamp;
-    stamp.id = tile.id;
-    stamp.planes = tile.planes;
-    core::StampWalk stamps(kContract, tile);
-    while (stamps.next(&stamp.mask, &stamp.x, &stamp.y)) {
-      if (stamp.mask != 0) visit(tile, stamp);
-    }
-  }
-}
-
 /// Calls visit(x, y, lane) for each covered sample of a stamp.
 template <class Visitor>
 void for_each_sample(const spec::Stamp& stamp, Visitor&& visit) {

@@ -93,17 +93,17 @@ TEST(TopLeftRule, FanAroundASampleHitsItExactlyOnce) {
     constexpr std::array<Point, 8> kDirections{
         {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
     std::vector<Point> ring;
-    const int phase = random.coordinate(0, 7);
-    const int step = random.coordinate(1, 2);
+    const int phase = random.between(0, 7);
+    const int step = random.between(1, 2);
     for (int i = 0; i < 8; i += step) {
       const Point d = kDirections[static_cast<size_t>((i + phase) % 8)];
-      const int r = random.coordinate(1, 5 * kPx);
+      const int r = random.between(1, 5 * kPx);
       ring.push_back({8 * kPx + kHalfPx + d.x * r, 8 * kPx + kHalfPx + d.y * r});
     }
     HitMap hits(kFrame);
     for (size_t i = 0; i < ring.size(); ++i) {
       const Point& next = ring[(i + 1) % ring.size()];
-      const bool turn = random.in(0, 1) != 0;
+      const bool turn = random.between(0, 1) != 0;
       hits.draw(turn ? triangle(ring[i], next, centre(8, 8))
                      : triangle(next, ring[i], centre(8, 8)));
     }

@@ -31,6 +31,7 @@ struct OrderSink {
       outside += x < 0 || y < 0 || x >= frame.width || y >= frame.height ? 1 : 0;
     });
   }
+  void fragment(const spec::Stamp&, const spec::Fragment&) {}
   void depth(const spec::DepthWrite&) {}
   void color(const spec::ColorWrite&) {}
 };
@@ -98,9 +99,9 @@ TEST(TileCorners, NoStampIsLostOrSentTwice) {
   int drawn = 0;
   for (int n = 0; n < 20000; ++n) {
     const auto corner = [&] {
-      const auto near = [&] { return kNear[static_cast<size_t>(random.in(0, 8))]; };
-      return Point{random.coordinate(0, 4) * 8 * kPx + near(),
-                   random.coordinate(0, 4) * 8 * kPx + near()};
+      const auto near = [&] { return kNear[static_cast<size_t>(random.between(0, 8))]; };
+      return Point{random.between(0, 4) * 8 * kPx + near(),
+                   random.between(0, 4) * 8 * kPx + near()};
     };
     const spec::Triangle t = triangle(corner(), corner(), corner());
     ASSERT_EQ(coverage_difference(kFrame, t), "") << n;

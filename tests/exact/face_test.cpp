@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
-#include <random>
 
 #include "model/exact/mesh.h"
+#include "model/spec/random.h"
 
 namespace exact {
 namespace {
@@ -75,23 +75,24 @@ std::vector<int> judged(const FaceJudge& judge) {
 
 class Corners {
  public:
-  explicit Corners(uint32_t seed) : random_(seed) {}
+  explicit Corners(uint64_t seed) : random_(seed) {}
 
   // In front of the eye and behind it, near and far; now and then on a grid of few points, where
   // edges run through samples and corners fall together.
   ClipCorner next() {
-    if (random_() % 3 == 0) {
-      const auto grid = [&] { return static_cast<int>(random_() % 9) - 4; };
-      return {grid() / 4., grid() / 4., grid() / 2., random_() % 4 == 0 ? -1. : 1.};
+    if (random_.bits() % 3 == 0) {
+      const auto grid = [&] { return static_cast<int>(random_.bits() % 9) - 4; };
+      return {grid() / 4., grid() / 4., grid() / 2., random_.bits() % 4 == 0 ? -1. : 1.};
     }
-    const double w = std::ldexp(number(), static_cast<int>(random_() % 7) - 3);
-    return {2 * number(), 2 * number(), w - .25 * number(), random_() % 4 == 0 ? -w : std::abs(w)};
+    const double w = std::ldexp(number(), static_cast<int>(random_.bits() % 7) - 3);
+    return {2 * number(), 2 * number(), w - .25 * number(),
+            random_.bits() % 4 == 0 ? -w : std::abs(w)};
   }
-  double number() { return std::uniform_real_distribution<double>(-1, 1)(random_); }
-  uint32_t bits() { return static_cast<uint32_t>(random_()); }
+  double number() { return 2 * random_.unit() - 1; }
+  uint32_t bits() { return static_cast<uint32_t>(random_.bits()); }
 
  private:
-  std::mt19937 random_;
+  pineda::spec::Random random_;
 };
 
 TEST(FaceJudge, TrianglesInFrontOfTheEyeAndBehindItAreHitWhereTheRayHits) {

@@ -1,8 +1,9 @@
 // The judge against plain rationals: edge functions, weights and planes written down literally.
+#include "model/spec/random.h"
+
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
-#include <random>
 #include <string>
 #include <utility>
 
@@ -13,12 +14,7 @@ namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
 
-struct Random {
-  std::mt19937_64 engine;
-  int64_t in(int64_t low, int64_t high) {
-    return low + static_cast<int64_t>(engine() % static_cast<uint64_t>(high - low + 1));
-  }
-};
+using pineda::spec::Random;
 
 // A position in px.
 struct Position {
@@ -69,10 +65,10 @@ Rational interpolated(const std::array<Position, 3>& v, const std::array<Rationa
 Triangle random_triangle(Random& random, int64_t reach, int64_t step) {
   Triangle t;
   for (Vertex& v : t) {
-    v.x = random.in(-reach, reach) * step;
-    v.y = random.in(-reach, reach) * step;
-    v.z = random.in(0, 0xffffff00);
-    v.attr = {static_cast<int>(random.in(0, 255))};
+    v.x = random.between(-reach, reach) * step;
+    v.y = random.between(-reach, reach) * step;
+    v.z = random.between(0, int64_t{0xffffff00});
+    v.attr = {random.between(0, 255)};
   }
   return t;
 }
@@ -100,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(Classes, JudgeRandom, testing::ValuesIn(kCases),
 TEST_P(JudgeRandom, CoverageAndErrorsEqualRationals) {
   const Case c = GetParam();
   constexpr int kSize = 9;
-  Random random{std::mt19937_64(static_cast<uint64_t>(c.reach + c.subpixel_bits))};
+  Random random(static_cast<uint64_t>(c.reach + c.subpixel_bits));
   int hits = 0;
   for (int n = 0; n < 250; ++n) {
     const Triangle t = random_triangle(random, c.reach, c.step);
@@ -120,8 +116,8 @@ TEST_P(JudgeRandom, CoverageAndErrorsEqualRationals) {
             v, {Rational(t[0].z, 256), Rational(t[1].z, 256), Rational(t[2].z, 256)}, p);
         const Rational a = interpolated(
             v, {Rational(t[0].attr[0]), Rational(t[1].attr[0]), Rational(t[2].attr[0])}, p);
-        const int64_t code = random.in(0, 0xffffff);
-        const int64_t value = random.in(0, 255);
+        const int64_t code = random.between(0, 0xffffff);
+        const int64_t value = random.between(0, 255);
         ASSERT_DOUBLE_EQ(judge.depth_error(x, y, code), Rational(code - z).convert_to<double>());
         ASSERT_DOUBLE_EQ(judge.attribute_error(x, y, 0, value),
                          Rational(value - a).convert_to<double>());
@@ -135,7 +131,7 @@ TEST_P(JudgeRandom, CoverageAndErrorsEqualRationals) {
 
 // The comparison above can fail: it tells the top-left rule from the inclusive one.
 TEST(JudgeRandomMutant, InclusiveRuleIsToldApart) {
-  Random random{std::mt19937_64(1)};
+  Random random(1);
   int differences = 0;
   for (int n = 0; n < 100; ++n) {
     const Triangle t = random_triangle(random, 12, 128);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/exact/exact.h"
+#include "model/spec/random.h"
 #include "tests/exact/reference.h"
 
 namespace exact {
@@ -16,21 +17,10 @@ namespace {
 
 constexpr int kSize = 1024;  // px, of the frame
 
-struct Random {
-  uint64_t state;
-
-  uint64_t bits() {  // SplitMix64
-    uint64_t z = state += 0x9e3779b97f4a7c15;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
-    z = (z ^ z >> 27) * 0x94d049bb133111eb;
-    return z ^ z >> 31;
-  }
-  int in(int low, int high) {
-    return low + static_cast<int>(bits() % static_cast<uint64_t>(high - low + 1));
-  }
-  double real(double low, double high) {
-    return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
-  }
+class Random : public pineda::spec::Random {
+ public:
+  using RandomFrom::RandomFrom;
+  double real(double low, double high) { return low + (high - low) * unit(); }
 };
 
 using Positions = std::array<std::array<double, 2>, 3>;
@@ -59,7 +49,8 @@ Positions guard_band(Random* random) {
   Positions p{};
   for (auto& corner : p) {
     for (double& c : corner) {
-      c = random->in(0, 2) == 0 ? random->in(0, 1) * 32768 - 16384 : random->real(-17000, 17000);
+      c = random->between(0, 2) == 0 ? random->between(0, 1) * 32768 - 16384
+                                     : random->real(-17000, 17000);
     }
   }
   return p;
@@ -85,14 +76,14 @@ Positions sliver(Random* random) {
   int dx = 0;
   int dy = 0;
   do {
-    dx = random->in(1, 8000);
-    dy = random->in(-8000, 8000);
+    dx = random->between(1, 8000);
+    dy = random->between(-8000, 8000);
   } while (std::gcd(dx, dy) != 1);
   int ex = 0;
   while ((1 + dy * ex) % dx != 0) ++ex;
   const int ey = (1 + dy * ex) / dx;
-  const double x = random->in(0, kSize - 1) + .5;
-  const double y = random->in(0, kSize - 1) + .5;
+  const double x = random->between(0, kSize - 1) + .5;
+  const double y = random->between(0, kSize - 1) + .5;
   return {{{x - (dx + ex) / 16., y - (dy + ey) / 16.},
            {x + dx / 16., y + dy / 16.},
            {x + ex / 16., y + ey / 16.}}};
@@ -102,9 +93,9 @@ Positions sliver(Random* random) {
 float random_w(Random* random, int kind) {
   if (kind == 0) return static_cast<float>(random->real(1, 2));
   if (kind == 1) return static_cast<float>(std::exp(random->real(0, std::log(1e6))));
-  if (kind == 2) return std::ldexp(1.0f, random->in(-3, 3));
-  return std::ldexp(static_cast<float>(random->in(1 << 23, (1 << 24) - 1)),
-                    random->in(-126, 127) - 23);
+  if (kind == 2) return std::ldexp(1.0f, random->between(-3, 3));
+  return std::ldexp(static_cast<float>(random->between(1 << 23, (1 << 24) - 1)),
+                    random->between(-126, 127) - 23);
 }
 
 ScreenTriangle random_triangle(Random* random, Positions (*shape)(Random*), int w_kind) {
@@ -115,7 +106,7 @@ ScreenTriangle random_triangle(Random* random, Positions (*shape)(Random*), int 
     t[i].y = static_cast<float>(p[i][1]);
     t[i].z = static_cast<float>(random->real(-.1, 1.1));
     t[i].w = random_w(random, w_kind);
-    for (int& c : t[i].rgba) c = random->in(0, 255);
+    for (int& c : t[i].rgba) c = random->between(0, 255);
   }
   return t;
 }
@@ -151,7 +142,7 @@ void compare_row(const ScreenJudge& judge, const Reference& reference, int y, in
                  Random* random, Tally* tally) {
   std::vector<Sample> row;
   judge.row(y, true, &row);
-  std::vector<int> places{middle - 1, middle, middle + 1, random->in(0, kSize - 1)};
+  std::vector<int> places{middle - 1, middle, middle + 1, random->between(0, kSize - 1)};
   if (!row.empty()) {
     for (const int x : {row.front().x, row.back().x}) {
       places.insert(places.end(), {x - 1, x, x + 1});

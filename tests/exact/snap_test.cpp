@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <random>
 
 #include "model/exact/exact.h"
+#include "model/spec/random.h"
 
 namespace exact {
 namespace {
@@ -65,13 +65,13 @@ TEST(Snap, HandWorkedValues) {
 }
 
 TEST(Snap, RandomFloatsAreNearestAndTiesEven) {
-  std::mt19937_64 engine(2);
+  pineda::spec::Random random(2);
   int ties = 0;
   for (int n = 0; n < 20000; ++n) {
     // Any sign, exponents from 2^-14 to 2^13, and often a short mantissa, so that ties occur.
-    const auto draw = static_cast<uint32_t>(engine());
+    const auto draw = static_cast<uint32_t>(random.bits());
     const uint32_t mantissa = n % 2 == 0 ? draw & 0x7fffff : draw & 0x700000;
-    const auto exponent = static_cast<uint32_t>(113 + (engine() % 28));
+    const auto exponent = static_cast<uint32_t>(113 + (random.bits() % 28));
     const float value = from_bits((draw & 0x80000000) | exponent << 23 | mantissa);
     const Rational scaled = Rational(static_cast<double>(value)) * 256;
     Integer wanted = floor_of(scaled);
@@ -118,11 +118,11 @@ TEST(DepthInput, OutsideIsClampedAndSaid) {
 
 // Also the proof that the check can fail: single precision gets about half of these wrong.
 TEST(DepthInput, FloatsNearOneAreRoundedOnceAndSinglePrecisionIsNot) {
-  std::mt19937_64 engine(3);
+  pineda::spec::Random random(3);
   int single_differs = 0;
   constexpr int kTries = 20000;
   for (int n = 0; n < kTries; ++n) {
-    const float z = from_bits(0x3f000000 + static_cast<uint32_t>(engine() % 0x800000));
+    const float z = from_bits(0x3f000000 + static_cast<uint32_t>(random.bits() % 0x800000));
     const Rational scaled = Rational(static_cast<double>(z)) * 0xffffff;
     bool clamped = true;
     ASSERT_EQ(Integer(depth_input(z, 24, &clamped)), floor_of(scaled * 256 + Rational(1, 2)));

@@ -28,14 +28,14 @@ TEST_P(HardCaseRtl, MatchesTheModelAndTheJudgeUnderEveryStall) {
 }
 
 /// Counts stamps that follow one of another triangle at the same place, cycle by cycle.
-struct Followers : tb::Listener {
-  void stamp(uint64_t cycle, const spec::Stamp& s) override {
+struct Followers : timing::Listener {
+  void stamp(timing::Cycle cycle, const spec::Stamp& s) override {
     const bool follows = cycle == last_cycle + 1 && s.x == last.x && s.y == last.y;
     count += follows && s.id != last.id ? 1 : 0;
     last_cycle = cycle;
     last = s;
   }
-  uint64_t last_cycle = 0;
+  timing::Cycle last_cycle = 0;
   spec::Stamp last;
   int count = 0;
 };

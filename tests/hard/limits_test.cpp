@@ -70,6 +70,7 @@ struct StampSink {
   std::set<std::pair<int, int>> sent;
 
   void prim(const spec::SetupPrim&) { sent.clear(); }
+  void fragment(const spec::Stamp&, const spec::Fragment&) {}
   void depth(const spec::DepthWrite& w) { inside(w.x, w.y, w.mask); }
   void color(const spec::ColorWrite& w) { inside(w.x, w.y, w.mask); }
   void stamp(const spec::Stamp& s) {

@@ -1,7 +1,8 @@
 #!/bin/sh
 # check_direction.sh ROOT: fails when an include points against the direction
-#   spec <- core <- memory <- timing <- tb <- cli;  scene -> spec;  exact and files use nothing;
-#   judge -> core, exact; tests use everything.
+#   spec <- core <- fast <- timing <- tb <- cli;  memory -> core;  scene, vectors -> figures -> spec;
+#   judge -> core, exact; exact and files use nothing; tests use everything. What judges (vectors, tb)
+#   compares with core and never sees fast.
 # Also: paths start at the root, only the plug-ins of tb and the tests of lone modules see a Verilated
 # header, and SystemC is known from model/timing on.
 set -eu
@@ -11,17 +12,19 @@ find . \( -name '.?*' -o -name 'build*' -o -name out -o -name mutants \) -prune 
 BEGIN {
   may["model/files"] = "model/files"
   may["model/spec"] = "model/spec"
+  may["model/figures"] = "model/figures model/spec"
   may["model/core"] = "model/core model/spec"
+  may["model/fast"] = "model/fast model/core model/spec"
   may["model/exact"] = "model/exact"
+  may["model/scene"] = "model/scene model/figures model/files model/spec"
   may["model/judge"] = "model/judge model/core model/exact model/spec"
-  may["model/scene"] = "model/scene model/files model/spec"
   may["model/baseline"] = "model/baseline model/spec"
   may["model/memory"] = "model/memory model/core model/spec"
-  may["model/timing"] = "model/timing model/memory model/core model/spec"
-  may["vectors"] = "vectors model/judge model/core model/exact model/spec"
+  may["model/timing"] = "model/timing model/memory model/fast model/core model/spec"
+  may["vectors"] = "vectors model/judge model/figures model/core model/exact model/spec"
   may["tb"] = "tb model/timing model/memory model/core model/files model/spec"
   may["studies"] = "studies tb vectors model/timing model/memory model/scene model/baseline " \
-                   "model/judge model/exact model/core model/files model/spec"
+                   "model/judge model/exact model/fast model/core model/figures model/files model/spec"
   may["cli"] = "cli " may["studies"]
   may["examples"] = "model/timing model/memory model/core model/spec"
   may["tests"] = "tests " may["cli"]

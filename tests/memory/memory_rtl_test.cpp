@@ -29,14 +29,14 @@ class MemoryRtl : public testing::Test {
   }
 
   // The cycles of the frame; every token at every boundary, and the memories, are those of core.
-  uint64_t run(std::shared_ptr<MemoryTiming> memory, StallMode mode = StallMode::kNone) {
+  Cycle run(std::shared_ptr<MemoryTiming> memory, StallMode mode = StallMode::kNone) {
     BenchOptions options;
     options.memory = std::move(memory);
     options.stall_mode = mode;
     options.seed = 5;
     FrameBench bench(library_, options);
-    uint64_t cycles[2];
-    for (uint64_t& c : cycles) {
+    Cycle cycles[2];
+    for (Cycle& c : cycles) {
       Scoreboard scoreboard("RTL", library_.contract(), frame_, triangles());
       c = bench.run(frame_, triangles(), &scoreboard).cycles;
       scoreboard.finish();
@@ -60,10 +60,10 @@ class MemoryRtl : public testing::Test {
 };
 
 TEST_F(MemoryRtl, DramIsSlowerThanIdealAndOneChannelSlowerThanTwo) {
-  const uint64_t ideal = run(make(memory::Kind::kIdeal));
+  const Cycle ideal = run(make(memory::Kind::kIdeal));
   EXPECT_EQ(ideal, run(nullptr));  // the default's latency is 8, too
-  const uint64_t dram = run(make(memory::Kind::kDram));
-  const uint64_t merged = run(make(memory::Kind::kDramMerged));
+  const Cycle dram = run(make(memory::Kind::kDram));
+  const Cycle merged = run(make(memory::Kind::kDramMerged));
   EXPECT_LT(ideal, dram);
   EXPECT_LT(dram, merged);
 }

@@ -5,31 +5,17 @@
 
 #include "model/memory/kinds.h"
 #include "model/memory/stalls.h"
+#include "model/spec/random.h"
 
 namespace pineda::memory {
 namespace {
 
 constexpr spec::Contract kContract = spec::contract(spec::kHighTile);
 
-class Random {
- public:
-  explicit Random(uint64_t seed) : state_(seed) {}
-  int below(int n) {
-    state_ += 0x9e3779b97f4a7c15u;
-    uint64_t x = state_;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<int>((x ^ (x >> 31)) % static_cast<uint64_t>(n));
-  }
-
- private:
-  uint64_t state_;
-};
-
 // The first rule that is broken in 20000 cycles of requests near one another; empty if none.
 std::string broken_rule(MemoryTiming* timing, uint64_t seed) {
   timing->begin_frame({320, 200});
-  Random random(seed);
+  spec::Random random(seed);
   Cycle last_response = -1;
   int x = 80;
   for (Cycle t = 0; t < 20000; ++t) {
@@ -40,12 +26,12 @@ std::string broken_rule(MemoryTiming* timing, uint64_t seed) {
       ready[p] = from == t;
     }
     for (size_t p = 0; p < kMemoryPorts; ++p) {
-      if (!ready[p] || random.below(4) == 0) continue;
+      if (!ready[p] || random.between(0, 3) == 0) continue;
       // What other ports do in this cycle does not matter yet.
       const auto port = static_cast<MemoryPort>(p);
       if (timing->ready_from(port, t) != t) return "not ready any more in the same cycle";
-      x = (x + random.below(9) + 156) % 160;
-      const Cycle response = timing->accept(port, t, x, random.below(100));
+      x = (x + random.between(0, 8) + 156) % 160;
+      const Cycle response = timing->accept(port, t, x, random.between(0, 99));
       if (port != MemoryPort::kDepthRead) continue;
       if (response <= t) return "a response before its time";
       if (response <= last_response) return "responses out of order";
@@ -69,11 +55,11 @@ TEST(MemoryTiming, SameRequestsTakeTheSameTimeAgain) {
     const auto times = [&] {
       std::vector<Cycle> responses;
       timing->begin_frame({320, 200});
-      Random random(3);
+      spec::Random random(3);
       for (Cycle t = 0; responses.size() < 1000;) {
         t = timing->ready_from(MemoryPort::kDepthRead, t + 1);
-        const int x = random.below(160);
-        responses.push_back(timing->accept(MemoryPort::kDepthRead, t, x, random.below(100)));
+        const int x = random.between(0, 159);
+        responses.push_back(timing->accept(MemoryPort::kDepthRead, t, x, random.between(0, 99)));
       }
       return responses;
     };
@@ -112,7 +98,7 @@ TEST(Stalls, OfAModeAreThoseOfItsSide) {
   const Port sinks[] = {Port::kOutput, Port::kClear, stalling(MemoryPort::kDepthRead),
                         stalling(MemoryPort::kDepthWrite), stalling(MemoryPort::kColorWrite)};
   std::map<Port, int> stalled;
-  for (uint64_t cycle = 0; cycle < 4096; ++cycle) {
+  for (Cycle cycle = 0; cycle < 4096; ++cycle) {
     for (const Port port : sources) {
       EXPECT_FALSE(Stalls(StallMode::kSink, 7)(port, cycle));
       stalled[port] += Stalls(StallMode::kSource, 7)(port, cycle) ? 1 : 0;

@@ -199,7 +199,7 @@ std::vector<Sample> samples(const spec::FrameState& frame, const spec::Triangle&
   std::vector<Sample> all;
   spec::SetupPrim prim;
   if (core::setup(test::kContract, frame, t, &prim) != core::Drop::kNone) return all;
-  test::for_each_stamp(prim, [&](const core::Tile&, const spec::Stamp& stamp) {
+  core::for_each_stamp(test::kContract, prim, [&](const spec::Stamp& stamp) {
     spec::Fragment fragment;
     core::interpolate(test::kContract, stamp, &fragment);
     test::for_each_sample(stamp, [&](int x, int y, size_t lane) {

@@ -7,15 +7,13 @@
 #include <optional>
 
 #include "model/scene/scene.h"
-#include "model/timing/counter_list.h"
+#include "model/timing/counters.h"
 #include "studies/cycles/child.h"
 #include "tb/ready.h"
 #include "tests/timing/support.h"
 
 namespace pineda::test {
 namespace {
-
-using BenchRecorder = Recorder<tb::Listener, uint64_t>;
 
 Scene read(const spec::Contract& contract, const Trial& trial) {
   scene::Options options;
@@ -44,23 +42,19 @@ void set_time(const spec::Contract& contract, const Trial& trial, int late,
 std::string counter_that_differs(const std::vector<timing::NamedCount>& expected,
                                  const std::vector<timing::NamedCount>& got, bool knows_passed) {
   for (const auto& d : timing::counter_differences(got, expected)) {
-    const bool of_passed = d.name == "samples_passed" || d.name == "samples_failed" ||
-                           d.name == "interpolated" || d.name == "passed";
-    if (of_passed && !knows_passed) continue;
+    if (d.known == core::Known::kIfTested && !knows_passed) continue;
     return fmt::format("{}: expected {}, got {}", d.name, d.rtl, d.model);
   }
   return {};
 }
 
-template <class A, class B>
-std::string result_that_differs(const spec::Contract& contract, const A& expected, const B& got,
-                                bool knows_passed) {
-  if (static_cast<int64_t>(expected.cycles) != static_cast<int64_t>(got.cycles)) {
+std::string result_that_differs(const spec::Contract& contract, const timing::FrameResult& expected,
+                                const timing::FrameResult& got, bool knows_passed) {
+  if (expected.cycles != got.cycles) {
     return fmt::format("cycles: expected {}, got {}", expected.cycles, got.cycles);
   }
-  return counter_that_differs(timing::counter_list(contract, expected.spent, expected.counters),
-                              timing::counter_list(contract, got.spent, got.counters),
-                              knows_passed);
+  return counter_that_differs(timing::counter_list(contract, expected),
+                              timing::counter_list(contract, got), knows_passed);
 }
 
 std::string frame_that_differs(const core::FrameBuffer& expected, const core::FrameBuffer& got) {
@@ -68,16 +62,16 @@ std::string frame_that_differs(const core::FrameBuffer& expected, const core::Fr
   return expected.color != got.color ? "colour of the frame" : "";
 }
 
-/// What core and a frame in time both count; hierarchical z keeps some stamps from being sent.
+/// The first counter that differs of those that core and a frame in time share: hierarchical z
+/// keeps some tiles from being walked and so some stamps from being sent.
 std::string core_that_differs(const core::FrameCounters& expected, const core::FrameCounters& got,
                               bool hidden) {
-  if (expected.triangles != got.triangles || expected.dropped != got.dropped) return "drops";
-  if (expected.passed != got.passed || expected.interpolated != got.interpolated) return "passed";
-  const bool same = expected.tiles_tested == got.tiles_tested &&
-                    expected.tiles_rejected == got.tiles_rejected &&
-                    expected.tiles_accepted == got.tiles_accepted &&
-                    expected.stamps == got.stamps && expected.fragments == got.fragments;
-  return same || hidden ? "" : "tiles or stamps";
+  for (const core::FrameCounter& row : core::kFrameCounters) {
+    const bool of_triangles = row.is_drop() || row.member == &core::FrameCounters::triangles;
+    const bool is_shared = of_triangles || row.known == core::Known::kIfTested || !hidden;
+    if (is_shared && row.of(expected) != row.of(got)) return row.name;
+  }
+  return "";
 }
 
 void compare_modes(const spec::Contract& contract, const Trial& trial, int late, Found* found) {
@@ -88,7 +82,7 @@ void compare_modes(const spec::Contract& contract, const Trial& trial, int late,
   timing::RasterTop top("top", contract);
   set_time(contract, trial, 0, &top);
   Record record;
-  ModelRecorder recorder(&record);
+  Recorder recorder(&record);
   const auto stamps = top.run(scene.frame, pull_from(scene), &recorder);
   const auto check = [&](const char* mode, const std::string& difference) {
     if (found->difference().empty() && !difference.empty()) {
@@ -130,8 +124,8 @@ void compare_with_rtl(const spec::Contract& contract, const Trial& trial, const 
   set_time(contract, trial, late, &top);
   Record expected;
   Record got;
-  BenchRecorder bench_recorder(&expected);
-  ModelRecorder model_recorder(&got);
+  Recorder bench_recorder(&expected);
+  Recorder model_recorder(&got);
   const auto rtl = bench.run(scene.frame, pull_from(scene), &bench_recorder);
   const auto model = top.run(scene.frame, pull_from(scene), &model_recorder);
   found->compared = expected.prims.size() + expected.stamps.size() + expected.depths.size() +

@@ -7,58 +7,64 @@
 #include <cmath>
 #include <deque>
 
-#include "model/scene/random.h"
 #include "model/scene/writers.h"
+#include "model/spec/random.h"
 
 namespace pineda::test {
 namespace {
 
-using scene::Random;
+using spec::Random;
 using spec::ReciprocalScheme;
 
-bool one_in(Random* r, int n) { return r->in(1, n) == 1; }
+bool one_in(Random* r, int n) { return r->between(1, n) == 1; }
 
 // As often between 1 and 2 as between 2^(bits-1) and 2^bits.
 int scaled(Random* r, int bits) {
-  const int scale = 1 << r->in(0, bits);
-  return r->in((scale + 1) / 2, scale);
+  const int scale = 1 << r->between(0, bits);
+  return r->between((scale + 1) / 2, scale);
+}
+
+// Anywhere in its range.
+void draw(Random* r, int spec::Design::*member, spec::Design* d) {
+  const auto& number = std::get<spec::Number>(spec::parameter(member).member);
+  d->*member = r->between(number.low(*d), number.high(*d));
 }
 
 void draw_values(Random* r, spec::Design* d) {
   d->depth_test = !one_in(r, 8);
-  d->depth_bits = r->in(16, 32);
-  d->attributes = r->in(0, one_in(r, 4) ? spec::kMaxAttributes : 4);
-  d->flat_attributes = std::min(r->in(0, 2), spec::kMaxAttributes - d->attributes);
-  d->attribute_bits = r->in(1, 16);
+  draw(r, &spec::Design::depth_bits, d);
+  d->attributes = r->between(0, one_in(r, 4) ? spec::kMaxAttributes : 4);
+  d->flat_attributes = std::min(r->between(0, 2), spec::kMaxAttributes - d->attributes);
+  draw(r, &spec::Design::attribute_bits, d);
   d->perspective = one_in(r, 3);
-  d->inverse_w_bits = r->in(8, 24);
+  draw(r, &spec::Design::inverse_w_bits, d);
 }
 
 void draw_setup(Random* r, spec::Design* d) {
-  d->subpixel_bits = r->in(4, 12);
-  d->guard_bits = r->in(4, 14);
-  d->reciprocal_scheme = static_cast<ReciprocalScheme>(r->in(0, 3));
-  d->reciprocal_lut_bits = r->in(4, 12);
-  d->reciprocal_newton_steps = r->in(0, 2);
-  d->reciprocal_bits = r->in(12, 32);
-  d->setup_style = static_cast<spec::SetupStyle>(r->in(0, 2));
-  d->gradient_fraction_bits = r->in(8, 20);
-  d->tile_fraction_bits = r->in(1, d->gradient_fraction_bits);
+  draw(r, &spec::Design::subpixel_bits, d);
+  draw(r, &spec::Design::guard_bits, d);
+  d->reciprocal_scheme = static_cast<ReciprocalScheme>(r->between(0, 3));
+  draw(r, &spec::Design::reciprocal_lut_bits, d);
+  draw(r, &spec::Design::reciprocal_newton_steps, d);
+  draw(r, &spec::Design::reciprocal_bits, d);
+  d->setup_style = static_cast<spec::SetupStyle>(r->between(0, 2));
+  draw(r, &spec::Design::gradient_fraction_bits, d);
+  draw(r, &spec::Design::tile_fraction_bits, d);
 }
 
 void draw_raster(Random* r, spec::Design* d) {
-  d->tile_log2 = r->in(2, 6);
-  d->stamp_width_log2 = r->in(0, 2);
-  d->stamp_height_log2 = r->in(0, 2);
+  d->tile_log2 = r->between(2, 6);
+  draw(r, &spec::Design::stamp_width_log2, d);
+  draw(r, &spec::Design::stamp_height_log2, d);
   d->hierarchical_z = one_in(r, 2);
-  d->hierarchical_z_bits = r->in(4, 16);
+  draw(r, &spec::Design::hierarchical_z_bits, d);
   d->hierarchical_z_tiles = scaled(r, 14);
   d->hierarchical_z_delay_cycles = scaled(r, 6);
   d->prim_fifo_depth = scaled(r, 6);
   d->tile_fifo_depth = scaled(r, 6);
   d->stamp_fifo_depth = scaled(r, 6);
   d->max_depth_latency_cycles = scaled(r, 6);
-  d->depth_latency_cycles = r->in(1, d->max_depth_latency_cycles);
+  draw(r, &spec::Design::depth_latency_cycles, d);
 }
 
 bool usable(const spec::Design& d) {
@@ -87,15 +93,15 @@ struct Canvas {
     return std::clamp(value_px, -limit, limit - std::ldexp(1.f, -design.subpixel_bits));
   }
   Point near(Random* r, Point p, float reach_px) const {
-    const float dx = r->between(-reach_px, reach_px);
-    const float dy = r->between(-reach_px, reach_px);
+    const float dx = r->uniform(-reach_px, reach_px);
+    const float dy = r->uniform(-reach_px, reach_px);
     return {kept(p.x + dx), kept(p.y + dy)};
   }
 };
 
 std::array<Point, 3> corners(Random* r, const Canvas& c, Kind kind) {
-  const float x = r->between(0, static_cast<float>(c.width));
-  const float y = r->between(0, static_cast<float>(c.height));
+  const float x = r->uniform(0, static_cast<float>(c.width));
+  const float y = r->uniform(0, static_cast<float>(c.height));
   const auto around = [&](Point p, float reach) {
     std::array<Point, 3> corner{};
     for (Point& q : corner) q = c.near(r, p, reach);
@@ -124,17 +130,20 @@ std::array<Point, 3> corners(Random* r, const Canvas& c, Kind kind) {
 
 std::string triangle_lines(Random* r, const Canvas& c, Kind kind) {
   auto corner = corners(r, c, kind);
-  if (r->coin()) std::swap(corner[1], corner[2]);
-  const int ratio_log2 = one_in(r, 2) ? 0 : r->in(1, 20);
+  if (r->between(0, 1) == 1) std::swap(corner[1], corner[2]);
+  const int ratio_log2 = one_in(r, 2) ? 0 : r->between(1, 20);
   // Few depths, so that some are equal; else any.
   const int depths = one_in(r, 4) ? 4 : 1 << 24;
   std::string text;
   for (const Point& p : corner) {
-    const float z = static_cast<float>(r->in(0, depths)) / static_cast<float>(depths);
-    const float w =
-        ratio_log2 == 0 ? 1 : std::ldexp(r->between(1, 2), r->in(-ratio_log2, 0) + ratio_log2 / 2);
+    const float z = static_cast<float>(r->between(0, depths)) / static_cast<float>(depths);
+    float w = 1;
+    if (ratio_log2 != 0) {
+      const int exponent = r->between(-ratio_log2, 0) + ratio_log2 / 2;
+      w = std::ldexp(r->uniform(1, 2), exponent);
+    }
     text += fmt::format("v {:.9g} {:.9g} {:.9g} {:.9g}", p.x, p.y, z, w);
-    for (int i = 0; i < 4; ++i) text += fmt::format(" {}", r->in(0, 255));
+    for (int i = 0; i < 4; ++i) text += fmt::format(" {}", r->between(0, 255));
     text += '\n';
   }
   return text;
@@ -146,26 +155,26 @@ std::string state_lines(Random* r, const Canvas& c) {
                                             "greater", "off",    "never", "notequal",
                                             "greater", "gequal", "equal", "always"};
   std::string text = fmt::format("pineda-tri 1\nsize {} {}\n", c.width, c.height);
-  text += fmt::format("cull {}\n", kCulls[r->in(0, 3)]);
-  const std::string depth = kDepths[r->in(0, 11)];
+  text += fmt::format("cull {}\n", kCulls[r->between(0, 3)]);
+  const std::string depth = kDepths[r->between(0, 11)];
   text += fmt::format("depth {}\n", depth);
   text += fmt::format("depthwrite {}\n", one_in(r, 4) ? "off" : "on");
   if (one_in(r, 3)) {
-    const int x = r->in(0, c.width / 2);
-    const int y = r->in(0, c.height / 2);
-    const int width = r->in(0, c.width);
-    const int height = r->in(0, c.height);
+    const int x = r->between(0, c.width / 2);
+    const int y = r->between(0, c.height / 2);
+    const int width = r->between(0, c.width);
+    const int height = r->between(0, c.height);
     text += fmt::format("scissor {} {} {} {}\n", x, y, width, height);
   }
   if (one_in(r, 2)) {
-    const int constant = r->in(-3000, 3000);
-    const int slope = one_in(r, 4) ? r->in(-32768, 32767) : r->in(-600, 600);
+    const int constant = r->between(-3000, 3000);
+    const int slope = one_in(r, 4) ? r->between(-32768, 32767) : r->between(-600, 600);
     text += fmt::format("depthbias {} {}\n", constant, slope / 256.);
   }
   if (one_in(r, 2)) {
     // Reversed z, or a part of what is drawn lies behind.
     const bool is_reversed = depth == "greater" || depth == "gequal";
-    text += fmt::format("cleardepth {:.9g}\n", is_reversed ? 0 : r->between(.3f, 1));
+    text += fmt::format("cleardepth {:.9g}\n", is_reversed ? 0 : r->uniform(.3f, 1));
   }
   text += fmt::format("shade {}\n", one_in(r, 4) ? "flat" : "smooth");
   return text;
@@ -192,9 +201,9 @@ std::string summary_of(const spec::Design& d) {
       "{} l{} n{} k{} {}, S{} g{}, {}{}, {}+{} of {} bits{}, F{}/{}, tile {}, stamp {}x{}, FIFOs "
       "{} "
       "{} {}, latency {}",
-      spec::reciprocal_scheme_name(d.reciprocal_scheme), d.reciprocal_lut_bits,
-      d.reciprocal_newton_steps, d.reciprocal_bits, spec::setup_style_name(d.setup_style),
-      d.subpixel_bits, d.guard_bits, d.depth_test ? fmt::format("z{}", d.depth_bits) : "no z",
+      spec::name_of(d.reciprocal_scheme), d.reciprocal_lut_bits, d.reciprocal_newton_steps,
+      d.reciprocal_bits, spec::name_of(d.setup_style), d.subpixel_bits, d.guard_bits,
+      d.depth_test ? fmt::format("z{}", d.depth_bits) : "no z",
       d.hierarchical_z ? fmt::format(" hidden {}b {} tiles {} cycles", d.hierarchical_z_bits,
                                      d.hierarchical_z_tiles, d.hierarchical_z_delay_cycles)
                        : "",
@@ -207,14 +216,14 @@ std::string summary_of(const spec::Design& d) {
 std::string random_tri(const spec::Design& design, uint64_t seed) {
   Random random(seed);
   const int greatest_px = 1 << design.guard_bits;
-  const int width = random.in(1, std::min(150, greatest_px));
-  const int height = random.in(1, std::min(90, greatest_px));
+  const int width = random.between(1, std::min(150, greatest_px));
+  const int height = random.between(1, std::min(90, greatest_px));
   const Canvas canvas{design, width, height};
   std::string text = state_lines(&random, canvas);
-  const int kind = random.in(0, kKinds);  // the last one: mixed
-  const int triangles = random.in(1, 60);
+  const int kind = random.between(0, kKinds);  // the last one: mixed
+  const int triangles = random.between(1, 60);
   for (int i = 0; i < triangles; ++i) {
-    const int own = kind == kKinds ? random.in(0, kKinds - 1) : kind;
+    const int own = kind == kKinds ? random.between(0, kKinds - 1) : kind;
     text += triangle_lines(&random, canvas, static_cast<Kind>(own));
   }
   return text;
@@ -232,12 +241,12 @@ std::string Trial::arguments() const {
 Trial random_trial(const spec::Design& design, uint64_t seed, const std::string& folder) {
   Random random(seed);
   Trial trial;
-  trial.bench.depth_latency_cycles = random.in(1, design.max_depth_latency_cycles);
-  trial.bench.stall_mode = tb::kStallModes[random.in(0, 3)];
+  trial.bench.depth_latency_cycles = random.between(1, design.max_depth_latency_cycles);
+  trial.bench.stall_mode = tb::kStallModes[random.between(0, 3)];
   trial.bench.seed = random.bits() >> 32;
   Random kind(~seed);  // of its own, so that a scene depends on its seed alone
   if (one_in(&kind, 3)) {
-    trial.memory = kind.coin() ? memory::Kind::kDram : memory::Kind::kDramMerged;
+    trial.memory = kind.between(0, 1) == 1 ? memory::Kind::kDram : memory::Kind::kDramMerged;
   }
   if (one_in(&random, 4)) {
     static constexpr const char* kBuiltIn[] = {"triangle", "grid", "layers", "random/screen"};
@@ -245,13 +254,13 @@ Trial random_trial(const spec::Design& design, uint64_t seed, const std::string&
         "hard/back_to_back", "hard/near_plane",  "hard/sliver",        "hard/tile_corners",
         "hard/zero_area",    "hard/perspective", "hard/guard_band_fan"};
     // Hard cases have frames of their own, which want a guard band.
-    if (design.guard_bits >= 10 && random.coin()) {
-      trial.scene = kHard[random.in(0, 6)];
+    if (design.guard_bits >= 10 && random.between(0, 1) == 1) {
+      trial.scene = kHard[random.between(0, 6)];
     } else {
-      trial.scene = kBuiltIn[random.in(0, 3)];
+      trial.scene = kBuiltIn[random.between(0, 3)];
       const int greatest_px = 1 << design.guard_bits;
-      const int width = random.in(1, std::min(100, greatest_px));
-      const int height = random.in(1, std::min(70, greatest_px));
+      const int width = random.between(1, std::min(100, greatest_px));
+      const int height = random.between(1, std::min(70, greatest_px));
       trial.size = fmt::format("{}x{}", width, height);
     }
     return trial;

@@ -16,14 +16,14 @@ BenchTop& bare() {
 }
 
 struct Drawn {
-  uint64_t cycles = 0;
+  Cycle cycles = 0;
   core::FrameBuffer buffer;
 };
 
 Drawn draw_bare(const spec::FrameState& frame, const std::vector<spec::Triangle>& triangles,
                 int latency_cycles) {
   bare().load(frame, triangles, latency_cycles);
-  const uint64_t cycles = bare().run();
+  const Cycle cycles = bare().run();
   return {cycles, bare().buffer()};
 }
 
@@ -32,7 +32,7 @@ Drawn draw(const spec::FrameState& frame, const std::vector<spec::Triangle>& tri
   BenchOptions options;
   options.depth_latency_cycles = latency_cycles;
   FrameBench bench(rtl(), options);
-  const uint64_t cycles = bench.run(frame, from(triangles), nullptr).cycles;
+  const Cycle cycles = bench.run(frame, from(triangles), nullptr).cycles;
   return {cycles, bench.buffer()};
 }
 
@@ -45,14 +45,14 @@ testing::AssertionResult same(const Drawn& a, const Drawn& b) {
 
 // Frames of odd sizes in any raster state, one after the other from one reset on.
 TEST(BenchTop, TakesTheCyclesOfTheBenchAndLeavesItsFrame) {
-  vectors::Rng rng(606);
+  spec::Random random(606);
   for (const int latency_cycles : {1, 3, 8, 64}) {
     for (int i = 0; i < 6; ++i) {
-      const int width = static_cast<int>(rng.between(1, 90));
-      const int height = static_cast<int>(rng.between(1, 90));
-      const auto frame = random_raster_state(&rng, width, height, rtl().contract());
-      const int size_px = static_cast<int>(rng.between(1, 60));
-      const auto triangles = random_triangles(&rng, frame, size_px, 200);
+      const int width = random.between(1, 90);
+      const int height = random.between(1, 90);
+      const auto frame = random_raster_state(&random, width, height, rtl().contract());
+      const int size_px = random.between(1, 60);
+      const auto triangles = random_triangles(&random, frame, size_px, 200);
       EXPECT_TRUE(
           same(draw_bare(frame, triangles, latency_cycles), draw(frame, triangles, latency_cycles)))
           << latency_cycles << ", frame " << i;
@@ -61,9 +61,9 @@ TEST(BenchTop, TakesTheCyclesOfTheBenchAndLeavesItsFrame) {
 }
 
 TEST(BenchTop, RepeatsItselfAndDrawsEmptyFrames) {
-  vectors::Rng rng(607);
-  const auto frame = random_state(&rng, 40, 30);
-  const auto triangles = random_triangles(&rng, frame, 20, 100);
+  spec::Random random(607);
+  const auto frame = random_state(&random, 40, 30);
+  const auto triangles = random_triangles(&random, frame, 20, 100);
   const Drawn first = draw_bare(frame, triangles, 8);
   EXPECT_EQ(bare().run(), first.cycles);
   EXPECT_EQ(bare().buffer().depth, first.buffer.depth);
@@ -72,10 +72,10 @@ TEST(BenchTop, RepeatsItselfAndDrawsEmptyFrames) {
 
 // The comparison sees a memory that answers a cycle late, and a triangle that is missing.
 TEST(BenchTop, ComparisonFindsFaults) {
-  vectors::Rng rng(608);
-  auto frame = random_state(&rng, 60, 60);
+  spec::Random random(608);
+  auto frame = random_state(&random, 60, 60);
   frame.depth = spec::DepthFunc::kLess;
-  auto triangles = random_triangles(&rng, frame, 30, 100);
+  auto triangles = random_triangles(&random, frame, 30, 100);
   const Drawn expected = draw(frame, triangles, 8);
   EXPECT_NE(draw_bare(frame, triangles, 9).cycles, expected.cycles);
   triangles.resize(50);

@@ -35,10 +35,10 @@ class DesignRtl : public testing::TestWithParam<std::tuple<const char*, StallMod
   vectors::SetupCase random_setup(int frame_px, int size_px) {
     vectors::SetupCase c;
     c.name = "random";
-    const auto width = static_cast<int>(rng_.between(1, frame_px));
-    const auto height = static_cast<int>(rng_.between(1, frame_px));
-    c.frame = random_raster_state(&rng_, width, height, contract());
-    c.in = random_triangles(&rng_, c.frame, size_px, kTrianglesPerRun, contract());
+    const auto width = random_.between(1, frame_px);
+    const auto height = random_.between(1, frame_px);
+    c.frame = random_raster_state(&random_, width, height, contract());
+    c.in = random_triangles(&random_, c.frame, size_px, kTrianglesPerRun, contract());
     return vectors::run_model(contract(), c);
   }
   vectors::TraversalCase random_traversal(int frame_px, int size_px) {
@@ -47,7 +47,7 @@ class DesignRtl : public testing::TestWithParam<std::tuple<const char*, StallMod
     return vectors::run_model(contract(), c);
   }
 
-  vectors::Rng rng_{505};
+  spec::Random random_{505};
 };
 INSTANTIATE_TEST_SUITE_P(
     , DesignRtl, testing::Combine(testing::ValuesIn(kDesigns), testing::ValuesIn(kStallModes)),
@@ -107,10 +107,10 @@ TEST(DesignRtlRate, SetupTakesATriangleAtEveryInterval) {
     frame.width = frame.height = 64;
     SetupBench bench(library, BenchOptions());
     bench.set_frame(frame);
-    std::vector<uint64_t> accepted;
+    std::vector<Cycle> accepted;
     const auto out = bench.run(std::vector<spec::Triangle>(20, triangle), &accepted);
     EXPECT_EQ(out.tokens.size(), 20u);
-    const auto interval = static_cast<uint64_t>(library.contract().width.setup_interval_cycles);
+    const Cycle interval = library.contract().width.setup_interval_cycles;
     for (size_t i = 1; i < accepted.size(); ++i) {
       EXPECT_EQ(accepted[i] - accepted[i - 1], interval) << design;
     }
@@ -119,11 +119,11 @@ TEST(DesignRtlRate, SetupTakesATriangleAtEveryInterval) {
 
 // The same formats with another reciprocal, so other low bits.
 TEST(DesignRtlMutant, PlanesOfAnotherReciprocalAreCaught) {
-  vectors::Rng rng(9);
+  spec::Random random(9);
   spec::FrameState frame;
   frame.width = frame.height = 64;
   vectors::SetupCase inputs{
-      "random", frame, random_triangles(&rng, frame, 64, kTrianglesPerRun), {}, {}};
+      "random", frame, random_triangles(&random, frame, 64, kTrianglesPerRun), {}, {}};
   spec::Design design = *spec::find_design("div28");
   design.reciprocal_scheme = spec::ReciprocalScheme::kQuadratic;
   design.reciprocal_lut_bits = 7;

@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "model/spec/random.h"
 #include "model/spec/widths.h"
 #include "tests/spec/schemes.h"
-#include "vectors/generator/rng.h"
 
 namespace pineda::tb {
 

@@ -21,7 +21,7 @@ namespace pineda::tb {
 namespace {
 
 using core::Reciprocal;
-using vectors::Rng;
+using spec::Random;
 
 /// A Verilated reciprocal_pipelined of `bits` wide numbers, 0: as wide as a doubled area.
 template <class Model>
@@ -38,12 +38,12 @@ class Pipeline {
   /// Feeds `count` numbers, a gap `gaps` times in eight, a stall `stalls` times in eight, and
   /// returns how many results differ from core's.
   int wrong(int count, int gaps, int stalls) {
-    Rng rng(7);
+    Random random(7);
     std::deque<int64_t> inside;  // the newest last, 0: a gap
     int wrong = 0;
     for (int fed = 0; fed < count;) {
-      model_.enable_i = rng.between(0, 7) >= stalls;
-      const int64_t value = rng.between(0, 7) < gaps ? 0 : number(&rng, fed);
+      model_.enable_i = random.between(0, 7) >= stalls;
+      const int64_t value = random.between(0, 7) < gaps ? 0 : number(&random, fed);
       model_.valid_i = value != 0;
       model_.value_i = static_cast<std::decay_t<decltype(model_.value_i)>>(value);
       clock(&model_);
@@ -59,11 +59,11 @@ class Pipeline {
 
  private:
   // All small numbers and powers of two with their neighbours, then random ones of every length.
-  int64_t number(Rng* rng, int fed) const {
+  int64_t number(Random* random, int fed) const {
     if (fed < 1 << 10) return fed + 1;
-    const auto length = rng->between(2, bits_);
+    const auto length = random->between(2, bits_);
     const int64_t low = int64_t{1} << (length - 1);
-    return rng->coin() ? rng->between(low, 2 * low - 1) : low - 1 + rng->between(0, 2);
+    return random->coin() ? random->between(low, 2 * low - 1) : low - 1 + random->between(0, 2);
   }
   bool agrees(int64_t value) const {
     const Reciprocal expected = core::reciprocal(contract_, value);

@@ -41,10 +41,10 @@ vectors::InterpZtestCase model_writes(const spec::Contract& c, const Drawing& dr
   return result;
 }
 
-Drawing random_drawing(vectors::Rng* rng, const spec::Contract& c, DepthFunc func) {
-  const auto traversal = random_traversal(rng, c, 40, 16, kTrianglesPerRun);
+Drawing random_drawing(spec::Random* random, const spec::Contract& c, DepthFunc func) {
+  const auto traversal = random_traversal(random, c, 40, 16, kTrianglesPerRun);
   Drawing drawing{traversal.frame, {}, core::FrameBuffer(c, traversal.frame)};
-  const auto part = static_cast<std::ptrdiff_t>(rng->between(0, 300));
+  const auto part = static_cast<std::ptrdiff_t>(random->between(0, 300));
   const auto last = std::min(traversal.out.begin() + part, traversal.out.end());
   drawing.stamps.assign(traversal.out.begin(), last);
   drawing.frame.depth = DepthFunc::kAlways;
@@ -77,12 +77,12 @@ class RasterRtl : public testing::TestWithParam<std::tuple<const char*, StallMod
   BenchOptions options(int latency_cycles) {
     BenchOptions o;
     o.stall_mode = std::get<1>(GetParam());
-    o.seed = rng_.next();
+    o.seed = random_.bits();
     o.depth_latency_cycles = latency_cycles;
     return o;
   }
 
-  vectors::Rng rng_{606};
+  spec::Random random_{606};
 };
 INSTANTIATE_TEST_SUITE_P(, RasterRtl,
                          testing::Combine(testing::ValuesIn(kRasterDesigns),
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(, RasterRtl,
 TEST_P(RasterRtl, TraversalMatchesModel) {
   TraversalBench bench(library(), options(1));
   for (const int size_px : {4, 16, 120, 900}) {
-    const auto expected = random_traversal(&rng_, contract(), 300, size_px, kTrianglesPerRun);
+    const auto expected = random_traversal(&random_, contract(), 300, size_px, kTrianglesPerRun);
     ASSERT_EQ(first_difference(&bench, expected, contract()), "") << size_px << " px";
   }
 }
@@ -104,7 +104,7 @@ TEST_P(RasterRtl, InterpZtestMatchesModelInEveryRasterState) {
   for (const int latency_cycles : {1, 8, contract().design.max_depth_latency_cycles}) {
     InterpZtestBench bench(library(), options(latency_cycles));
     for (int func = 0; func < 9; ++func) {
-      const Drawing drawing = random_drawing(&rng_, contract(), static_cast<DepthFunc>(func));
+      const Drawing drawing = random_drawing(&random_, contract(), static_cast<DepthFunc>(func));
       ASSERT_EQ(difference_of(&bench, contract(), drawing, drawing), "")
           << latency_cycles << " cycles, depth function " << func;
     }
@@ -118,7 +118,7 @@ TEST_P(RasterRtl, OneStampAgainAndAgain) {
     vectors::SetupCase setup;
     setup.frame.width = setup.frame.height = 2;
     setup.frame.depth = func;
-    setup.in = random_triangles(&rng_, setup.frame, 6, kTrianglesPerRun, c);
+    setup.in = random_triangles(&random_, setup.frame, 6, kTrianglesPerRun, c);
     const vectors::TraversalCase traversal{"", setup.frame, vectors::run_model(c, setup).out, {}};
     const Drawing drawing{setup.frame, vectors::run_model(c, traversal).out,
                           core::FrameBuffer(c, setup.frame)};
@@ -133,8 +133,8 @@ TEST_P(RasterRtl, OneStampAgainAndAgain) {
 class RasterRtlMutant : public testing::Test {
  protected:
   Drawing drawing(const spec::Contract& c, DepthFunc func) {
-    Drawing d = random_drawing(&rng_, c, func);
-    while (d.stamps.size() < 200) d = random_drawing(&rng_, c, func);
+    Drawing d = random_drawing(&random_, c, func);
+    while (d.stamps.size() < 200) d = random_drawing(&random_, c, func);
     d.frame.depth_write = true;
     return d;
   }
@@ -148,7 +148,7 @@ class RasterRtlMutant : public testing::Test {
     }
     return false;
   }
-  vectors::Rng rng_{7};
+  spec::Random random_{7};
 };
 
 TEST_F(RasterRtlMutant, EveryPieceOfRasterStateIsSeen) {

@@ -37,8 +37,8 @@ std::vector<spec::Stamp> stamps(const spec::FrameState& state,
 }
 
 // Gaps between neighbouring cycles.
-std::vector<uint64_t> gaps(const std::vector<uint64_t>& cycles) {
-  std::vector<uint64_t> differences;
+std::vector<Cycle> gaps(const std::vector<Cycle>& cycles) {
+  std::vector<Cycle> differences;
   for (size_t i = 1; i < cycles.size(); ++i) differences.push_back(cycles[i] - cycles[i - 1]);
   return differences;
 }
@@ -48,18 +48,18 @@ TEST(SetupRtlRate, TakesATriangleAtEveryInterval) {
   EXPECT_LE(interval, 16);
   SetupBench bench(rtl(), BenchOptions());
   bench.set_frame(frame(64, 64));
-  std::vector<uint64_t> accepted;
+  std::vector<Cycle> accepted;
   bench.run(std::vector<Triangle>(20, triangle(0, 0, 40, 5, 10, 50)), &accepted);
-  EXPECT_EQ(gaps(accepted), std::vector<uint64_t>(19, static_cast<uint64_t>(interval)));
+  EXPECT_EQ(gaps(accepted), std::vector<Cycle>(19, interval));
 }
 
 TEST(SetupRtlRate, DroppedTriangleTakesFiveCycles) {
   SetupBench bench(rtl(), BenchOptions());
   bench.set_frame(frame(64, 64));
-  std::vector<uint64_t> accepted;
+  std::vector<Cycle> accepted;
   const auto out = bench.run(std::vector<Triangle>(20, triangle(5, 5, 10, 10, 20, 20)), &accepted);
   EXPECT_TRUE(out.tokens.empty());
-  EXPECT_EQ(gaps(accepted), std::vector<uint64_t>(19, 5));
+  EXPECT_EQ(gaps(accepted), std::vector<Cycle>(19, 5));
 }
 
 TEST(TraversalRtlRate, NoBubbleInsideAcceptedTiles) {
@@ -68,7 +68,7 @@ TEST(TraversalRtlRate, NoBubbleInsideAcceptedTiles) {
   // Covers the frame: every tile is accepted, so 128 x 128 stamps leave one a cycle.
   const auto trace = bench.run(prims(state, {triangle(-300, -10, 300, -10, 128, 1000)}));
   ASSERT_EQ(trace.tokens.size(), 128u * 128u);
-  EXPECT_EQ(trace.cycles.back() - trace.cycles.front(), trace.cycles.size() - 1);
+  EXPECT_EQ(trace.cycles.back() - trace.cycles.front(), 128 * 128 - 1);
 }
 
 TEST(TraversalRtlRate, TestsOneTileACycle) {
@@ -76,10 +76,10 @@ TEST(TraversalRtlRate, TestsOneTileACycle) {
   // A needle along the diagonal of a 128 x 128 box of tiles: nearly all of them are rejected.
   const Triangle needle = triangle(0, 0, 1024, 1023, 1024, 1024);
   TraversalBench bench(rtl(), BenchOptions());
-  std::vector<uint64_t> accepted;
+  std::vector<Cycle> accepted;
   bench.run(prims(state, {needle, needle}), &accepted);
   ASSERT_EQ(accepted.size(), 2u);
-  const uint64_t tiles = 128 * 128;
+  const Cycle tiles = 128 * 128;
   EXPECT_GE(accepted[1] - accepted[0], tiles);
   // The stamps of the kept tiles hide behind the rejected ones, but for the FIFO's edges.
   EXPECT_LE(accepted[1] - accepted[0], tiles + tiles / 50);
@@ -94,10 +94,10 @@ TEST_P(InterpZtestRtlRate, TakesAStampACycleWithoutHazards) {
   BenchOptions options;
   options.depth_latency_cycles = GetParam();
   InterpZtestBench bench(rtl(), options);
-  std::vector<uint64_t> accepted;
+  std::vector<Cycle> accepted;
   bench.run(state, stamps(state, {triangle(-100, -10, 200, -10, 32, 400)}), &accepted);
   ASSERT_EQ(accepted.size(), 32u * 32u);
-  EXPECT_EQ(accepted.back() - accepted.front(), accepted.size() - 1);
+  EXPECT_EQ(accepted.back() - accepted.front(), 32 * 32 - 1);
 }
 
 // The first stamp's read is accepted in t, its data are there in t + latency, tested in the next
@@ -108,9 +108,9 @@ TEST_P(InterpZtestRtlRate, SameAddressWaitsForTheWriteAndNoLonger) {
   options.depth_latency_cycles = GetParam();
   const auto one = stamps(state, {triangle(-100, -10, 200, -10, 32, 400)})[0];
   InterpZtestBench bench(rtl(), options);
-  std::vector<uint64_t> accepted;
+  std::vector<Cycle> accepted;
   bench.run(state, std::vector<spec::Stamp>(6, one), &accepted);
-  EXPECT_EQ(gaps(accepted), std::vector<uint64_t>(5, static_cast<uint64_t>(GetParam()) + 3));
+  EXPECT_EQ(gaps(accepted), std::vector<Cycle>(5, GetParam() + 3));
 }
 
 TEST_P(InterpZtestRtlRate, TimeDoesNotDependOnDepth) {
@@ -120,7 +120,7 @@ TEST_P(InterpZtestRtlRate, TimeDoesNotDependOnDepth) {
   auto near = triangle(0, 0, 20, 0, 0, 20);
   auto far = near;
   for (auto& v : far.v) v.z = 1 << 20;
-  std::vector<uint64_t> passing, failing;
+  std::vector<Cycle> passing, failing;
   InterpZtestBench(rtl(), options).run(state, stamps(state, {far, near, far}), &passing);
   InterpZtestBench(rtl(), options).run(state, stamps(state, {near, far, far}), &failing);
   EXPECT_EQ(passing, failing);

@@ -22,7 +22,7 @@ namespace pineda::tb {
 namespace {
 
 using core::Reciprocal;
-using vectors::Rng;
+using spec::Random;
 
 /// A Verilated reciprocal, stalled at random `stalls` times in eight.
 template <class Model>
@@ -57,14 +57,14 @@ class Lone {
  private:
   void enabled_clock() {
     model_.enable_i = 0;
-    while (rng_.between(0, 7) < stalls_) clock(&model_);
+    while (random_.between(0, 7) < stalls_) clock(&model_);
     model_.enable_i = 1;
     clock(&model_);
   }
 
   spec::Contract contract_;
   int stalls_;
-  Rng rng_{1};
+  Random random_{1};
   Model model_;
 };
 
@@ -93,10 +93,10 @@ void for_each_corner(const spec::Contract& c, Take take) {
   }
 }
 
-int64_t random_area(Rng* rng, const spec::Contract& c) {
-  const auto length = rng->between(1, c.width.area2 - 1);
+int64_t random_area(Random* random, const spec::Contract& c) {
+  const auto length = random->between(1, c.width.area2 - 1);
   const int64_t low = int64_t{1} << (length - 1);
-  return rng->between(low, 2 * low - 1);
+  return random->between(low, 2 * low - 1);
 }
 
 // A module and its design.
@@ -143,18 +143,18 @@ TYPED_TEST(ReciprocalRtl, CornersMatchModel) {
 
 TYPED_TEST(ReciprocalRtl, RandomAreasMatchModel) {
   Lone<TypeParam> lone(Scheme<TypeParam>::kDesign);
-  Rng rng(2);
+  Random random(2);
   for (int i = 0; i < 200'000; ++i) {
-    const int64_t area2 = random_area(&rng, lone.contract());
+    const int64_t area2 = random_area(&random, lone.contract());
     ASSERT_TRUE(lone.agrees(area2)) << "area2 " << area2;
   }
 }
 
 TYPED_TEST(ReciprocalRtl, StallsFreezeIt) {
   Lone<TypeParam> lone(Scheme<TypeParam>::kDesign, 4);
-  Rng rng(3);
+  Random random(3);
   for (int i = 0; i < 10'000; ++i) {
-    const int64_t area2 = random_area(&rng, lone.contract());
+    const int64_t area2 = random_area(&random, lone.contract());
     ASSERT_TRUE(lone.agrees(area2)) << "area2 " << area2;
   }
 }
@@ -163,10 +163,10 @@ TYPED_TEST(ReciprocalRtl, StallsFreezeIt) {
 TYPED_TEST(ReciprocalRtl, NeedsEveryCycleAndHoldsTheResult) {
   Lone<TypeParam> lone(Scheme<TypeParam>::kDesign);
   const int cycles = spec::reciprocal_cycles(lone.contract().design);
-  Rng rng(4);
+  Random random(4);
   int early = 0;
   for (int i = 0; i < 100; ++i) {
-    const int64_t area2 = random_area(&rng, lone.contract());
+    const int64_t area2 = random_area(&random, lone.contract());
     const int64_t mantissa = core::reciprocal(lone.contract(), area2).mantissa;
     early += lone.after(cycles - 1, area2).mantissa == mantissa ? 1 : 0;
     EXPECT_EQ(lone.after(cycles + 50, area2).mantissa, mantissa);

@@ -5,82 +5,83 @@
 namespace pineda::tb {
 
 using spec::Contract;
-using vectors::Rng;
+using spec::Random;
 
 namespace {
 
-int64_t signed_value(Rng* rng, int bits) {
+int64_t signed_value(Random* random, int bits) {
   const int64_t limit = int64_t{1} << (bits - 1);
   // The ends, small ones, any.
-  switch (rng->between(0, 4)) {
+  switch (random->between(0, 4)) {
     case 0:
-      return rng->coin() ? limit - 1 : -limit;
+      return random->coin() ? limit - 1 : -limit;
     case 1:
-      return rng->between(-limit, limit - 1);
+      return random->between(-limit, limit - 1);
     default:
-      return rng->between(-300, 300);
+      return random->between(-300, 300);
   }
 }
 
-spec::FrameState random_frame(Rng* rng, const Contract& c) {
+spec::FrameState random_frame(Random* random, const Contract& c) {
   spec::FrameState frame;
   const int64_t limit = int64_t{1} << c.design.guard_bits;
   const auto side = [&] {
-    return static_cast<int>(rng->coin() ? rng->between(1, limit)
-                                        : rng->between(1, std::min<int64_t>(limit, 100)));
+    return static_cast<int>(random->coin() ? random->between(1, limit)
+                                           : random->between(1, std::min<int64_t>(limit, 100)));
   };
   frame.width = side();
   frame.height = side();
-  frame.cull = static_cast<spec::Cull>(rng->between(0, 5) % 3 * rng->between(0, 1));
-  frame.shade = static_cast<spec::Shade>(rng->between(0, 1));
-  if (rng->coin()) {
-    frame.scissor_x0 = static_cast<int>(rng->between(0, frame.width));
-    frame.scissor_y0 = static_cast<int>(rng->between(0, frame.height / 2));
-    frame.scissor_x1 = static_cast<int>(rng->between(0, frame.width + 3));
-    frame.scissor_y1 = static_cast<int>(rng->between(frame.height / 2, frame.height));
+  frame.cull = static_cast<spec::Cull>(random->between(0, 5) % 3 * random->between(0, 1));
+  frame.shade = static_cast<spec::Shade>(random->between(0, 1));
+  if (random->coin()) {
+    frame.scissor_x0 = random->between(0, frame.width);
+    frame.scissor_y0 = random->between(0, frame.height / 2);
+    frame.scissor_x1 = random->between(0, frame.width + 3);
+    frame.scissor_y1 = random->between(frame.height / 2, frame.height);
   }
-  if (c.design.depth_test && rng->coin()) {
-    frame.bias_constant = signed_value(rng, c.width.bias_constant);
-    frame.bias_slope = static_cast<int32_t>(signed_value(rng, spec::kBiasSlopeBits));
+  if (c.design.depth_test && random->coin()) {
+    frame.bias_constant = signed_value(random, c.width.bias_constant);
+    frame.bias_slope = static_cast<int32_t>(signed_value(random, spec::kBiasSlopeBits));
   }
   return frame;
 }
 
-void random_values(Rng* rng, const Contract& c, spec::Vertex* v) {
+void random_values(Random* random, const Contract& c, spec::Vertex* v) {
   const int64_t depth_limit = ((int64_t{1} << c.design.depth_bits) - 1) << 8;
-  v->z = rng->between(0, 3) == 0 ? (rng->coin() ? 0 : depth_limit) : rng->between(0, depth_limit);
+  v->z = random->between(0, 3) == 0 ? (random->coin() ? 0 : depth_limit)
+                                    : random->between(0, depth_limit);
   for (int i = 0; i < spec::channels(c.design); ++i) {
     v->attr[static_cast<size_t>(i)] =
-        static_cast<int32_t>(rng->between(0, (1 << c.design.attribute_bits) - 1));
+        static_cast<int32_t>(random->between(0, (1 << c.design.attribute_bits) - 1));
   }
   const int64_t mantissa = int64_t{1} << (c.design.inverse_w_bits - 1);
-  v->inverse_w = static_cast<int32_t>(rng->between(mantissa, 2 * mantissa - 1));
-  v->inverse_w_shift = static_cast<int32_t>(rng->between(0, 255));
+  v->inverse_w = static_cast<int32_t>(random->between(mantissa, 2 * mantissa - 1));
+  v->inverse_w_shift = static_cast<int32_t>(random->between(0, 255));
 }
 
 // In subpixels: in and around the frame, within some pixels, anywhere in the guard band.
-spec::Triangle random_triangle(Rng* rng, const Contract& c, const spec::FrameState& frame) {
+spec::Triangle random_triangle(Random* random, const Contract& c, const spec::FrameState& frame) {
   const int s = c.design.subpixel_bits;
   const int64_t guard = int64_t{1} << (c.design.guard_bits + s);
   const auto inside = [&](int64_t value) { return std::clamp(value, -guard, guard - 1); };
-  const auto kind = rng->between(0, 3);
+  const auto kind = random->between(0, 3);
   const int64_t spread = kind == 0   ? 3 << s
                          : kind == 1 ? 20 << s
                          : kind == 2 ? int64_t{2 * std::max(frame.width, frame.height)} << s
                                      : guard;
-  const int64_t x = kind == 3 ? 0 : rng->between(0, int64_t{frame.width} << s);
-  const int64_t y = kind == 3 ? 0 : rng->between(0, int64_t{frame.height} << s);
+  const int64_t x = kind == 3 ? 0 : random->between(0, int64_t{frame.width} << s);
+  const int64_t y = kind == 3 ? 0 : random->between(0, int64_t{frame.height} << s);
   spec::Triangle t;
-  t.id = static_cast<uint32_t>(rng->next());
+  t.id = static_cast<uint32_t>(random->bits());
   for (spec::Vertex& v : t.v) {
-    v.x = static_cast<int32_t>(inside(x + rng->between(-spread, spread)));
-    v.y = static_cast<int32_t>(inside(y + rng->between(-spread, spread)));
-    random_values(rng, c, &v);
+    v.x = static_cast<int32_t>(inside(x + random->between(-spread, spread)));
+    v.y = static_cast<int32_t>(inside(y + random->between(-spread, spread)));
+    random_values(random, c, &v);
   }
   // Horizontal, vertical and degenerate ones.
-  if (rng->between(0, 9) == 0) t.v[1].y = t.v[0].y;
-  if (rng->between(0, 9) == 0) t.v[2].x = t.v[1].x;
-  if (rng->between(0, 9) == 0) t.v[2].y = t.v[0].y;
+  if (random->between(0, 9) == 0) t.v[1].y = t.v[0].y;
+  if (random->between(0, 9) == 0) t.v[2].x = t.v[1].x;
+  if (random->between(0, 9) == 0) t.v[2].y = t.v[0].y;
   return t;
 }
 
@@ -99,18 +100,18 @@ std::vector<spec::Packed> expected_prims(const Contract& contract, const SetupSc
 }
 
 SetupScene random_setup_scene(const Contract& contract, uint64_t seed, int triangles) {
-  Rng rng(seed);
+  Random random(seed);
   SetupScene scene;
-  scene.frame = random_frame(&rng, contract);
+  scene.frame = random_frame(&random, contract);
   for (int i = 0; i < triangles; ++i) {
-    scene.triangles.push_back(random_triangle(&rng, contract, scene.frame));
+    scene.triangles.push_back(random_triangle(&random, contract, scene.frame));
   }
   return scene;
 }
 
 Script random_script(const Contract& contract, uint64_t seed, bool source, bool sink,
                      size_t count) {
-  Rng rng(seed);
+  Random random(seed);
   const int64_t longest = 2 * contract.width.setup_interval_cycles + 1;
   const auto cycles = [&](bool stalls) {
     std::vector<int64_t> times;
@@ -119,8 +120,8 @@ Script random_script(const Contract& contract, uint64_t seed, bool source, bool 
       times.push_back(time);
       // Bursts, and now and then a pause of a whole latency and more.
       if (!stalls) continue;
-      if (rng.coin()) time += rng.between(0, longest);
-      if (rng.between(0, 15) == 0) time += rng.between(0, 50 + longest);
+      if (random.coin()) time += random.between(0, longest);
+      if (random.between(0, 15) == 0) time += random.between(0, 50 + longest);
     }
     return times;
   };

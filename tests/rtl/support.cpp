@@ -30,57 +30,58 @@ const RtlLibrary& raster_rtl(std::string_view name) {
   return *library;
 }
 
-spec::FrameState random_state(vectors::Rng* rng, int width, int height) {
+spec::FrameState random_state(spec::Random* random, int width, int height) {
   spec::FrameState frame;
   frame.width = width;
   frame.height = height;
-  frame.cull = static_cast<spec::Cull>(rng->between(0, 2));
-  frame.depth = static_cast<spec::DepthFunc>(rng->between(0, 2));
-  if (rng->between(0, 2) == 0) frame.clear_depth = static_cast<double>(rng->between(1, 255)) / 256;
+  frame.cull = static_cast<spec::Cull>(random->between(0, 2));
+  frame.depth = static_cast<spec::DepthFunc>(random->between(0, 2));
+  if (random->between(0, 2) == 0)
+    frame.clear_depth = static_cast<double>(random->between(1, 255)) / 256;
   return frame;
 }
 
-spec::FrameState random_raster_state(vectors::Rng* rng, int width, int height,
+spec::FrameState random_raster_state(spec::Random* random, int width, int height,
                                      const spec::Contract& c) {
-  spec::FrameState frame = random_state(rng, width, height);
-  frame.depth = static_cast<spec::DepthFunc>(rng->between(0, 8));
-  if (rng->between(0, 5) == 0) frame.clear_depth = 0;
-  frame.depth_write = rng->between(0, 3) != 0;
-  frame.shade = rng->between(0, 3) == 0 ? spec::Shade::kFlat : spec::Shade::kSmooth;
-  if (rng->coin()) {
-    frame.scissor_x0 = static_cast<int>(rng->between(0, width));
-    frame.scissor_y0 = static_cast<int>(rng->between(0, height));
-    frame.scissor_x1 = static_cast<int>(rng->between(frame.scissor_x0, width + 8));
-    frame.scissor_y1 = static_cast<int>(rng->between(frame.scissor_y0, height + 8));
+  spec::FrameState frame = random_state(random, width, height);
+  frame.depth = static_cast<spec::DepthFunc>(random->between(0, 8));
+  if (random->between(0, 5) == 0) frame.clear_depth = 0;
+  frame.depth_write = random->between(0, 3) != 0;
+  frame.shade = random->between(0, 3) == 0 ? spec::Shade::kFlat : spec::Shade::kSmooth;
+  if (random->coin()) {
+    frame.scissor_x0 = random->between(0, width);
+    frame.scissor_y0 = random->between(0, height);
+    frame.scissor_x1 = random->between(frame.scissor_x0, width + 8);
+    frame.scissor_y1 = random->between(frame.scissor_y0, height + 8);
   }
   // None, a few codes, anything.
   const int64_t constants[] = {0, 4, (int64_t{1} << (c.width.bias_constant - 1)) - 1};
   const int64_t slopes[] = {0, 1 << spec::kBiasFactorFractionBits,
                             (1 << (spec::kBiasSlopeBits - 1)) - 1};
-  const int64_t constant = constants[rng->between(0, 2)];
-  const int64_t slope = slopes[rng->between(0, 2)];
-  frame.bias_constant = rng->between(-constant, constant);
-  frame.bias_slope = static_cast<int32_t>(rng->between(-slope, slope));
+  const int64_t constant = constants[random->between(0, 2)];
+  const int64_t slope = slopes[random->between(0, 2)];
+  frame.bias_constant = random->between(-constant, constant);
+  frame.bias_slope = static_cast<int32_t>(random->between(-slope, slope));
   return frame;
 }
 
 namespace {
 
 // 1/w of the vertices: near one another or far apart.
-void random_inverse_w(vectors::Rng* rng, const spec::Contract& c, spec::Triangle* t) {
+void random_inverse_w(spec::Random* random, const spec::Contract& c, spec::Triangle* t) {
   const int64_t half = int64_t{1} << (c.design.inverse_w_bits - 1);
   const int64_t ranges[] = {0, 3, 30, (1 << spec::kInverseWShiftBits) - 1};
-  const int64_t range = ranges[rng->between(0, 3)];
+  const int64_t range = ranges[random->between(0, 3)];
   for (spec::Vertex& v : t->v) {
-    v.inverse_w = static_cast<int32_t>(rng->between(half, 2 * half - 1));
-    v.inverse_w_shift = static_cast<int32_t>(rng->between(0, range));
+    v.inverse_w = static_cast<int32_t>(random->between(half, 2 * half - 1));
+    v.inverse_w_shift = static_cast<int32_t>(random->between(0, range));
   }
-  t->v[static_cast<size_t>(rng->between(0, 2))].inverse_w_shift = 0;
+  t->v[static_cast<size_t>(random->between(0, 2))].inverse_w_shift = 0;
 }
 
 }  // namespace
 
-std::vector<spec::Triangle> random_triangles(vectors::Rng* rng, const spec::FrameState& frame,
+std::vector<spec::Triangle> random_triangles(spec::Random* random, const spec::FrameState& frame,
                                              int size_px, size_t count, const spec::Contract& c) {
   const int64_t px = int64_t{1} << c.design.subpixel_bits;
   const int64_t limit = px << c.design.guard_bits;
@@ -92,31 +93,31 @@ std::vector<spec::Triangle> random_triangles(vectors::Rng* rng, const spec::Fram
   for (size_t i = 0; i < count; ++i) {
     spec::Triangle& t = triangles[i];
     t.id = static_cast<uint32_t>(i);
-    const int64_t x = rng->between(-size / 2, frame.width * px + size / 2);
-    const int64_t y = rng->between(-size / 2, frame.height * px + size / 2);
-    const int64_t wide = rng->between(0, 7) == 0 ? px : size;  // needles
+    const int64_t x = random->between(-size / 2, frame.width * px + size / 2);
+    const int64_t y = random->between(-size / 2, frame.height * px + size / 2);
+    const int64_t wide = random->between(0, 7) == 0 ? px : size;  // needles
     for (spec::Vertex& v : t.v) {
-      v.x = inside(x + rng->between(-size / 2, size / 2));
-      v.y = inside(y + rng->between(-wide / 2, wide / 2));
-      v.z = rng->between(0, ((int64_t{1} << c.design.depth_bits) - 1) << 8);
+      v.x = inside(x + random->between(-size / 2, size / 2));
+      v.y = inside(y + random->between(-wide / 2, wide / 2));
+      v.z = random->between(0, ((int64_t{1} << c.design.depth_bits) - 1) << 8);
       for (int a = 0; a < spec::channels(c.design); ++a) {
         v.attr[static_cast<size_t>(a)] =
-            static_cast<int32_t>(rng->between(0, (1 << c.design.attribute_bits) - 1));
+            static_cast<int32_t>(random->between(0, (1 << c.design.attribute_bits) - 1));
       }
     }
-    if (c.design.perspective) random_inverse_w(rng, c, &t);
-    if (i > 0 && rng->between(0, 15) == 0) t.v[0] = triangles[i - 1].v[2];
+    if (c.design.perspective) random_inverse_w(random, c, &t);
+    if (i > 0 && random->between(0, 15) == 0) t.v[0] = triangles[i - 1].v[2];
   }
   return triangles;
 }
 
-vectors::TraversalCase random_traversal(vectors::Rng* rng, const spec::Contract& c, int frame_px,
+vectors::TraversalCase random_traversal(spec::Random* random, const spec::Contract& c, int frame_px,
                                         int size_px, size_t triangles) {
-  const auto width = static_cast<int>(rng->between(1, frame_px));
-  const auto height = static_cast<int>(rng->between(1, frame_px));
+  const auto width = random->between(1, frame_px);
+  const auto height = random->between(1, frame_px);
   vectors::SetupCase setup;
-  setup.frame = random_raster_state(rng, width, height, c);
-  setup.in = random_triangles(rng, setup.frame, size_px, triangles, c);
+  setup.frame = random_raster_state(random, width, height, c);
+  setup.in = random_triangles(random, setup.frame, size_px, triangles, c);
   const vectors::TraversalCase inputs{"random", setup.frame, vectors::run_model(c, setup).out, {}};
   return vectors::run_model(c, inputs);
 }
@@ -161,7 +162,7 @@ std::string check_frame(FrameBench* bench, const spec::FrameState& frame,
   if (bench->buffer().depth != model.depth) return "depth memories differ";
   if (bench->buffer().color != model.color) return "colour memories differ";
   if (bench->buffer().hits != model.hits) return "hits differ";
-  return result.triangles == triangles.size() ? "" : "triangles were lost";
+  return result.counters.triangles == triangles.size() ? "" : "triangles were lost";
 }
 
 }  // namespace pineda::tb

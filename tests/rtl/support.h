@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "model/spec/random.h"
 #include "tb/frame_bench.h"
 #include "tb/unit_bench.h"
-#include "vectors/generator/rng.h"
 #include "vectors/grammar/file.h"
 
 namespace pineda::tb {
@@ -32,16 +32,16 @@ std::vector<Case> committed_cases() {
 
 /// Triangles about `size_px` wide anywhere around the frame; one in eight is a needle, one in
 /// sixteen reuses the vertex of the one before, so that edges meet.
-std::vector<spec::Triangle> random_triangles(vectors::Rng* rng, const spec::FrameState& frame,
+std::vector<spec::Triangle> random_triangles(spec::Random* random, const spec::FrameState& frame,
                                              int size_px, size_t count,
                                              const spec::Contract& contract = rtl().contract());
-spec::FrameState random_state(vectors::Rng* rng, int width, int height);
+spec::FrameState random_state(spec::Random* random, int width, int height);
 /// The same with all of the raster state.
-spec::FrameState random_raster_state(vectors::Rng* rng, int width, int height,
+spec::FrameState random_raster_state(spec::Random* random, int width, int height,
                                      const spec::Contract& contract);
 
 /// Random triangles in a random raster state, through setup and traversal of the model.
-vectors::TraversalCase random_traversal(vectors::Rng* rng, const spec::Contract& contract,
+vectors::TraversalCase random_traversal(spec::Random* random, const spec::Contract& contract,
                                         int frame_px, int size_px, size_t triangles);
 
 /// A case's inputs on a bench: the case with what came out. The RTL does not tell the cause of a

@@ -28,42 +28,39 @@ TEST_P(TopRtl, ReproducesTheFrameVectorsBackToBack) {
 }
 
 TEST_P(TopRtl, MatchesModel) {
-  vectors::Rng rng(404 + static_cast<uint64_t>(GetParam()));
+  spec::Random random(404 + static_cast<uint64_t>(GetParam()));
   for (const int latency_cycles : {1, 3, 8, 64}) {
     FrameBench bench(rtl(), options(GetParam(), latency_cycles));
     for (int i = 0; i < 25; ++i) {
-      const auto frame = random_state(&rng, static_cast<int>(rng.between(1, 90)),
-                                      static_cast<int>(rng.between(1, 90)));
-      const auto triangles =
-          random_triangles(&rng, frame, static_cast<int>(rng.between(1, 60)), 250);
+      const auto frame = random_state(&random, random.between(1, 90), random.between(1, 90));
+      const auto triangles = random_triangles(&random, frame, random.between(1, 60), 250);
       ASSERT_EQ(check_frame(&bench, frame, triangles), "") << "frame " << i;
     }
   }
 }
 
 TEST_P(TopRtl, OddFrames) {
-  vectors::Rng rng(5);
+  spec::Random random(5);
   FrameBench bench(rtl(), options(GetParam()));
   for (const auto& [width, height] : {std::pair(641, 479), {1, 1}, {9, 1}, {1, 17}, {7, 9}}) {
     spec::FrameState frame;
     frame.width = width;
     frame.height = height;
-    EXPECT_EQ(check_frame(&bench, frame, random_triangles(&rng, frame, width, 40)), "")
+    EXPECT_EQ(check_frame(&bench, frame, random_triangles(&random, frame, width, 40)), "")
         << width << "x" << height;
   }
 }
 
 // Close-ups of each cycle count together what the whole frame counts.
 TEST_P(TopRtl, CloseUpsSumUpToTheFrame) {
-  vectors::Rng rng(17);
+  spec::Random random(17);
   spec::FrameState frame;
   frame.width = frame.height = 12;
-  const auto triangles = random_triangles(&rng, frame, 5, 20);
+  const auto triangles = random_triangles(&random, frame, 5, 20);
   FrameBench whole(rtl(), options(GetParam()));
   const FrameResult result = whole.run(frame, from(triangles), nullptr);
   std::array<timing::UnitCycles, timing::kUnits> sum;
-  const auto drained = static_cast<uint64_t>(result.spent.drained);
-  for (uint64_t cycle = 0; cycle < drained; ++cycle) {
+  for (Cycle cycle = 0; cycle < result.spent.drained; ++cycle) {
     FrameBench bench(rtl(), options(GetParam()));
     const auto causes =
         bench.run_close_up(frame, from(triangles), nullptr, {cycle, cycle, cycle + 1, ""});
@@ -78,7 +75,7 @@ TEST_P(TopRtl, CloseUpsSumUpToTheFrame) {
 // The memories are told what to clear depth to, frame by frame, and every depth function compares
 // with that.
 TEST_P(TopRtl, EveryDepthFunctionOnEveryClearedDepth) {
-  vectors::Rng rng(18);
+  spec::Random random(18);
   FrameBench bench(rtl(), options(GetParam()));
   for (const double depth : {0., .5, 1., 1 / 3., 1 - 0x1p-24}) {
     for (int func = 0; func < 9; ++func) {
@@ -87,10 +84,10 @@ TEST_P(TopRtl, EveryDepthFunctionOnEveryClearedDepth) {
       frame.depth = static_cast<spec::DepthFunc>(func);
       frame.clear_depth = depth;
       EXPECT_EQ(check_frame(&bench, frame, {}), "") << depth;
-      auto triangles = random_triangles(&rng, frame, 30, 40);
+      auto triangles = random_triangles(&random, frame, 30, 40);
       for (size_t i = 0; i < triangles.size(); i += 2) {  // at the cleared depth and beside it
         const int64_t code = spec::cleared_depth(rtl().contract().design, frame);
-        const int64_t z = std::clamp<int64_t>(code + rng.between(-1, 1), 0, (1 << 24) - 1);
+        const int64_t z = std::clamp<int64_t>(code + random.between(-1, 1), 0, (1 << 24) - 1);
         for (auto& v : triangles[i].v) v.z = z << spec::kDepthInputFractionBits;
       }
       EXPECT_EQ(check_frame(&bench, frame, triangles), "") << func << " on " << depth;
@@ -106,11 +103,11 @@ TEST_P(TopRtl, EmptyFrameEnds) {
 }
 
 TEST_P(TopRtl, ResetInTheMiddleOfAFrameLeavesAWorkingPipeline) {
-  vectors::Rng rng(6);
+  spec::Random random(6);
   spec::FrameState frame;
   frame.width = frame.height = 48;
-  const auto triangles = random_triangles(&rng, frame, 40, 60);
-  for (uint64_t cycles = 1; cycles < 1200; cycles += 37) {
+  const auto triangles = random_triangles(&random, frame, 40, 60);
+  for (Cycle cycles = 1; cycles < 1200; cycles += 37) {
     FrameBench bench(rtl(), options(GetParam()));
     bench.run_into_reset(frame, from(triangles), cycles);
     ASSERT_EQ(check_frame(&bench, frame, triangles), "") << "reset after " << cycles << " cycles";
@@ -118,22 +115,22 @@ TEST_P(TopRtl, ResetInTheMiddleOfAFrameLeavesAWorkingPipeline) {
 }
 
 TEST(TopRtlProtocol, CyclesOfAFrameDoNotDependOnTheOneBefore) {
-  vectors::Rng rng(8);
+  spec::Random random(8);
   spec::FrameState frame;
   frame.width = frame.height = 64;
-  const auto triangles = random_triangles(&rng, frame, 30, 100);
+  const auto triangles = random_triangles(&random, frame, 30, 100);
   FrameBench bench(rtl(), BenchOptions());
   const uint64_t first = bench.run(frame, from(triangles), nullptr).cycles;
   EXPECT_EQ(bench.run(frame, from(triangles), nullptr).cycles, first);
 }
 
 TEST(TopRtlMutant, IsCaughtAtTheFirstBoundary) {
-  vectors::Rng rng(9);
+  spec::Random random(9);
   spec::FrameState frame;
   frame.width = frame.height = 64;
   FrameBench bench(mutant(), BenchOptions());
   // The half-pixel lattice: samples lie on edges.
-  auto triangles = random_triangles(&rng, frame, 30, 200);
+  auto triangles = random_triangles(&random, frame, 30, 200);
   for (auto& t : triangles) {
     for (auto& v : t.v) v.x &= ~127, v.y &= ~127;
   }

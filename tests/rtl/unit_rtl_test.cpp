@@ -38,13 +38,12 @@ int caught_by_vectors() {
 
 // The inputs of the random runs: sizes from a pixel to the whole guard band for setup, small ones
 // where every stamp is drawn.
-vectors::SetupCase random_setup(vectors::Rng* rng, int max_size_px) {
+vectors::SetupCase random_setup(spec::Random* random, int max_size_px) {
   vectors::SetupCase c;
   c.name = "random";
-  c.frame = random_state(rng, static_cast<int>(rng->between(1, 300)),
-                         static_cast<int>(rng->between(1, 300)));
-  const auto size = static_cast<int>(rng->between(1, max_size_px));
-  c.in = random_triangles(rng, c.frame, size, kTrianglesPerRun);
+  c.frame = random_state(random, random->between(1, 300), random->between(1, 300));
+  const auto size = random->between(1, max_size_px);
+  c.in = random_triangles(random, c.frame, size, kTrianglesPerRun);
   return vectors::run_model(rtl().contract(), c);
 }
 
@@ -53,13 +52,13 @@ TEST_P(SetupRtl, ReproducesTheVectors) {
 }
 
 TEST_P(SetupRtl, MatchesModel) {
-  vectors::Rng rng(101 + static_cast<uint64_t>(GetParam()));
+  spec::Random random(101 + static_cast<uint64_t>(GetParam()));
   BenchOptions options;
   options.stall_mode = GetParam();
   SetupBench bench(rtl(), options);
   for (int done = 0; done < kTrianglesPerMode; done += kTrianglesPerRun) {
     static constexpr int kSizes[] = {4, 64, 2048, 32767};
-    const auto expected = random_setup(&rng, kSizes[done / kTrianglesPerRun % 4]);
+    const auto expected = random_setup(&random, kSizes[done / kTrianglesPerRun % 4]);
     ASSERT_EQ(first_difference(&bench, expected), "") << "after " << done << " triangles";
   }
 }
@@ -74,12 +73,12 @@ TEST_P(TraversalRtl, ReproducesTheVectors) {
 }
 
 TEST_P(TraversalRtl, MatchesModel) {
-  vectors::Rng rng(202 + static_cast<uint64_t>(GetParam()));
+  spec::Random random(202 + static_cast<uint64_t>(GetParam()));
   BenchOptions options;
   options.stall_mode = GetParam();
   TraversalBench bench(rtl(), options);
   for (int done = 0; done < kTrianglesPerMode; done += kTrianglesPerRun) {
-    const auto setup = random_setup(&rng, done % 5000 == 0 ? 120 : 16);
+    const auto setup = random_setup(&random, done % 5000 == 0 ? 120 : 16);
     vectors::TraversalCase inputs{"random", setup.frame, setup.out, {}};
     const auto expected = vectors::run_model(rtl().contract(), inputs);
     ASSERT_EQ(first_difference(&bench, expected), "") << "after " << done << " triangles";
@@ -96,20 +95,18 @@ TEST_P(InterpZtestRtl, ReproducesTheVectors) {
 }
 
 TEST_P(InterpZtestRtl, MatchesModel) {
-  vectors::Rng rng(303 + static_cast<uint64_t>(GetParam()));
+  spec::Random random(303 + static_cast<uint64_t>(GetParam()));
   static constexpr int kLatencies[] = {1, 2, 5, 8, 64};
   for (int done = 0; done < kTrianglesPerMode; done += kTrianglesPerRun) {
     BenchOptions options;
     options.stall_mode = GetParam();
-    options.seed = rng.next();
+    options.seed = random.bits();
     options.depth_latency_cycles = kLatencies[done / kTrianglesPerRun % 5];
     InterpZtestBench bench(rtl(), options);
     // Small frames: a thousand triangles overlap many times on every stamp.
     vectors::SetupCase setup;
-    setup.frame = random_state(&rng, static_cast<int>(rng.between(1, 40)),
-                               static_cast<int>(rng.between(1, 40)));
-    setup.in =
-        random_triangles(&rng, setup.frame, static_cast<int>(rng.between(1, 24)), kTrianglesPerRun);
+    setup.frame = random_state(&random, random.between(1, 40), random.between(1, 40));
+    setup.in = random_triangles(&random, setup.frame, random.between(1, 24), kTrianglesPerRun);
     vectors::TraversalCase traversal{
         "", setup.frame, vectors::run_model(rtl().contract(), setup).out, {}};
     vectors::InterpZtestCase inputs{

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "model/judge/exact_terms.h"
 #include "model/scene/snap.h"
+#include "model/spec/random.h"
 #include "studies/judge/stated.h"
 #include "tests/scene/mesh_source.h"
 #include "tests/scene/scratch.h"
@@ -19,16 +19,17 @@ class Vertices {
  public:
   // A vertex in front of or behind the near plane, and far beyond the guard band or not.
   ClipVertex next(double spread, bool in_front) {
-    std::uniform_real_distribution<double> any(-spread, spread), depth(.01, 9), color(0, 255);
     ClipVertex v;
-    const double z = in_front ? depth(random_) : -depth(random_);
-    v.position = {any(random_), any(random_), z, z + 1};  // near plane at w = 1
-    for (double& channel : v.rgba) channel = color(random_);
+    const double z = (in_front ? 1 : -1) * number(.01, 9);
+    v.position = {number(-spread, spread), number(-spread, spread), z, z + 1};  // near plane: w = 1
+    for (double& channel : v.rgba) channel = number(0, 255);
     return v;
   }
 
  private:
-  std::mt19937 random_{1};
+  double number(double low, double high) { return low + (high - low) * random_.unit(); }
+
+  spec::Random random_{1};
 };
 
 bool same(const ClipVertex& a, const ClipVertex& b) {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "model/scene/random.h"
 #include "model/scene/snap.h"
+#include "model/spec/random.h"
 
 namespace pineda::scene {
 namespace {
@@ -89,10 +89,10 @@ TEST(InverseW, EveryHardWBesideEveryOtherIsTheNearestMantissa) {
 }
 
 TEST(InverseW, AnyNormalFloatsAreTheNearestMantissas) {
-  Random random(1);
+  spec::Random random(1);
   const auto any = [&] {
-    const int mantissa = random.in(1 << 23, (1 << 24) - 1);
-    return std::ldexp(static_cast<float>(mantissa), random.in(-126, 127) - 23);
+    const int mantissa = random.between(1 << 23, (1 << 24) - 1);
+    return std::ldexp(static_cast<float>(mantissa), random.between(-126, 127) - 23);
   };
   for (int i = 0; i < 3000; ++i) {
     const float a = any();
@@ -103,10 +103,10 @@ TEST(InverseW, AnyNormalFloatsAreTheNearestMantissas) {
 
 // The mutant: a quotient in doubles that is cut off is off by one for about half of all.
 TEST(InverseW, CuttingOffIsSeen) {
-  Random random(2);
+  spec::Random random(2);
   int differ = 0;
   for (int i = 0; i < 1000; ++i) {
-    const float w = random.between(1, 2);
+    const float w = random.uniform(1, 2);
     const auto cut = static_cast<int64_t>(std::ldexp(1 / static_cast<double>(w), 20));
     differ += inverse(w, 20).mantissa != cut ? 1 : 0;
   }

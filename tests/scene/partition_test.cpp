@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+
+#include "model/spec/random.h"
 
 namespace pineda::scene {
 namespace {
@@ -73,12 +74,12 @@ struct Snapped {
   std::vector<GridPoint> point;  // eight fine steps a grid step
 };
 
-double number(std::mt19937* random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(*random);
+double number(spec::Random* random, double low, double high) {
+  return low + (high - low) * random->unit();
 }
 
-Snapped snapped(std::mt19937* random) {
-  std::vector<double> angle(4 + (*random)() % 5);
+Snapped snapped(spec::Random* random) {
+  std::vector<double> angle(static_cast<size_t>(random->between(4, 8)));
   for (double& a : angle) a = number(random, 0, 2 * M_PI);
   std::sort(angle.begin(), angle.end());
   const double wide = number(random, .3, 8), tall = number(random, .3, 3);
@@ -133,7 +134,7 @@ double depth_in(const std::vector<std::array<double, 2>>& convex, double x, doub
 // No point of a finer grid lies in two triangles, all turn one way, and what lies deeper inside
 // than snapping reaches is covered.
 TEST(Partition, SnappedConvexPolygonsAreCoveredOnceWhateverSnappingDidToThem) {
-  std::mt19937 random(1);
+  spec::Random random(1);
   int bent = 0, inside = 0;
   for (int n = 0; n < 20000; ++n) {
     const Snapped polygon = snapped(&random);

@@ -5,8 +5,9 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 #include <stdexcept>
+
+#include "model/spec/random.h"
 
 namespace pineda::spec {
 namespace {
@@ -37,11 +38,11 @@ TEST(ClearDepth, EveryBinary32NearTheEndsIsRoundedOnce) {
 }
 
 TEST(ClearDepth, RandomBinary32OfEveryExponentAreRoundedOnce) {
-  std::mt19937_64 random(31);
+  Random random(31);
   for (int i = 0; i < 200000; ++i) {
-    const auto mantissa = static_cast<float>(random() >> 40);
-    const float z = std::ldexp(mantissa, -24 - static_cast<int>(random() % 40));
-    const int bits = 16 + static_cast<int>(random() % 17);
+    const auto mantissa = static_cast<float>(random.bits() >> 40);
+    const float z = std::ldexp(mantissa, -24 - static_cast<int>(random.bits() % 40));
+    const int bits = 16 + static_cast<int>(random.bits() % 17);
     ASSERT_EQ(depth_code(z, bits), expected_code(z, bits)) << bits << ": " << z;
   }
 }
@@ -58,22 +59,22 @@ TEST(ClearDepth, HalvesGoUpAndWhatIsBelowDown) {
 
 // The mutant: the same in binary32 is wrong for many.
 TEST(ClearDepth, BinaryArithmeticOfTheSameFormIsWrong) {
-  std::mt19937_64 random(32);
+  Random random(32);
   int wrong = 0;
   for (int i = 0; i < 1000; ++i) {
-    const float z = .5f + static_cast<float>(random() >> 40) * 0x1p-25f;
+    const float z = .5f + static_cast<float>(random.bits() >> 40) * 0x1p-25f;
     wrong += depth_code(z, 24) != static_cast<uint32_t>(z * 16777215.0f + .5f) ? 1 : 0;
   }
   EXPECT_GT(wrong, 300);
 }
 
 TEST(ClearDepth, EveryCodeIsThatOfItsDepth) {
-  std::mt19937_64 random(33);
+  Random random(33);
   for (int bits = 16; bits <= 32; ++bits) {
     const auto top = static_cast<uint32_t>((uint64_t{1} << bits) - 1);
     const auto back = [bits](uint32_t code) { return depth_code(depth_of_code(code, bits), bits); };
     for (int i = 0; i < 20000; ++i) {
-      const auto any = static_cast<uint32_t>(random()) & top;
+      const auto any = static_cast<uint32_t>(random.bits()) & top;
       const auto near = static_cast<uint32_t>(i);
       for (const uint32_t code : {any, near, top - near}) ASSERT_EQ(back(code), code) << bits;
     }

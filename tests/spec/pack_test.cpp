@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <string>
+
+#include "model/spec/random.h"
 
 namespace pineda::spec {
 namespace {
@@ -54,10 +55,10 @@ TEST(Bits, SetLeavesAllOtherBitsAlone) {
 }
 
 template <class T>
-void random_fields(std::mt19937_64& random, const Contract& c, T* value) {
+void random_fields(Random& random, const Contract& c, T* value) {
   for (const auto& field : fields<T>(c)) {
     for (int i = 0; i < field.count; ++i) {
-      const auto raw = static_cast<int64_t>(random());
+      const auto raw = static_cast<int64_t>(random.bits());
       const int64_t unsigned_value =
           field.bits >= 64 ? raw : raw & ((int64_t{1} << field.bits) - 1);
       field.set(c, *value, i, field.is_signed ? wrap(raw, field.bits) : unsigned_value);
@@ -79,7 +80,7 @@ struct StructNames {
 TYPED_TEST_SUITE(Packing, Structs, StructNames);
 
 TYPED_TEST(Packing, RoundTripKeepsEveryField) {
-  std::mt19937_64 random(1);
+  Random random(1);
   for (const Contract& c : {kContract, contract(wide_stamps())}) {
     const Packer<TypeParam> packer(c);
     for (int n = 0; n < 200; ++n) {

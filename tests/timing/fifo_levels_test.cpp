@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
+#include "model/spec/random.h"
 
 namespace pineda::test {
 namespace {
@@ -18,15 +18,15 @@ struct Slot {
 
 // A FIFO under random offers and takers.
 std::vector<Slot> random_slots(int depth, uint32_t seed) {
-  std::mt19937 random(seed);
+  spec::Random random(seed);
   std::vector<Slot> slots;
   for (size_t n = 0; n < 150; ++n) {
-    const Cycle gap = random() % 4 == 0 ? random() % 20 : random() % 2;
+    const Cycle gap = random.between(0, random.between(0, 3) == 0 ? 19 : 1);
     Cycle inserted = n == 0 ? gap : slots.back().inserted + 1 + gap;
     if (n >= static_cast<size_t>(depth)) {
       inserted = std::max(inserted, slots[n - static_cast<size_t>(depth)].freed + 1);
     }
-    const Cycle wait = random() % 3 == 0 ? random() % 15 : 0;
+    const Cycle wait = random.between(0, 2) == 0 ? random.between(0, 14) : 0;
     const Cycle first = n == 0 ? inserted + 1 : std::max(inserted, slots.back().freed) + 1;
     slots.push_back({inserted, first + wait});
   }
@@ -78,13 +78,13 @@ TEST(FifoLevels, ExchangeInOneCycleKeepsTheLevel) {
 // the last one that waits is freed no later than the first one of the run comes.
 TEST(FifoLevels, RunThatFlowsFreelyCountsAsItsTokens) {
   for (uint32_t seed = 0; seed < 50; ++seed) {
-    std::mt19937 random(seed);
+    spec::Random random(seed);
     auto slots = random_slots(3, seed);
     FifoLevels at_once(3);
     at_once.begin_frame();
     for (const Slot& slot : slots) at_once.slot(slot.inserted, slot.freed);
-    Cycle inserted = slots.back().freed + static_cast<Cycle>(random() % 3);
-    for (int i = 0; i < 8; ++i, inserted += 1 + static_cast<Cycle>(random() % 3)) {
+    Cycle inserted = slots.back().freed + random.between(0, 2);
+    for (int i = 0; i < 8; ++i, inserted += 1 + random.between(0, 2)) {
       slots.push_back({inserted, inserted + 1});
     }
     at_once.flow(8);

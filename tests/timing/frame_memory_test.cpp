@@ -158,7 +158,7 @@ TEST(RasterMemory, DirectAccessAndTransportTakeTheSameCycles) {
   for (const Kind kind : kKinds) {
     const Scene scene = random_scene(kind, 3, 25);
     Record direct, transported;
-    ModelRecorder direct_recorder(&direct), transport_recorder(&transported);
+    Recorder direct_recorder(&direct), transport_recorder(&transported);
     top.set_ready({});
     const auto first = top.run(scene.frame, pull_from(scene), &direct_recorder);
     const auto buffer = top.buffer();

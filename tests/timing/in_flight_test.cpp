@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 
 #include "model/spec/design.h"
+#include "model/spec/random.h"
 
 namespace pineda::test {
 namespace {
@@ -23,11 +23,9 @@ spec::Design design_of(int tile_log2, int stamp_width_log2, int stamp_height_log
 }
 
 // A tile with some stamps, at least one.
-core::TileCover random_cover(const spec::Contract& c, std::mt19937* random) {
-  const auto below = [&](int n) {
-    return static_cast<int>((*random)() % static_cast<uint32_t>(n));
-  };
-  core::TileCover cover(c);
+fast::TileCover random_cover(const spec::Contract& c, spec::Random* random) {
+  const auto below = [&](int n) { return random->between(0, n - 1); };
+  fast::TileCover cover(c);
   cover.x = below(3);
   cover.y = below(2);
   const int columns = 1 << cover.box.columns_log2;
@@ -58,20 +56,20 @@ constexpr Cycle kFlight = 9;  // from a stamp taken until it retires
 // Runs and single stamps of six tiles; returns how many stamps were compared, -1 if one differed.
 // `late`: cycles by which the plain side believes a run to retire later.
 int compare(const spec::Contract& c, uint32_t seed, Cycle late) {
-  std::mt19937 random(seed);
+  spec::Random random(seed);
   InFlight in_flight(c.design);
   in_flight.begin_frame(6);
-  const size_t stamps = size_t{1} << core::stamps_log2(c.design);
+  const size_t stamps = size_t{1} << fast::stamps_log2(c.design);
   std::vector<std::vector<Cycle>> expected(6, std::vector<Cycle>(stamps));
   std::vector<Cycle> since(6);  // what was free before does not matter
   int compared = 0;
   Cycle now = 0;
   for (int step = 0; step < 200; ++step) {
-    now += random() % 5;
-    const core::TileCover cover = random_cover(c, &random);
+    now += random.between(0, 4);
+    const fast::TileCover cover = random_cover(c, &random);
     const auto tile = static_cast<size_t>(3 * cover.y + cover.x);
     auto& of_tile = expected[tile];
-    if (random() % 2 == 0 && in_flight.tile_free(tile) <= now) {
+    if (random.coin() && in_flight.tile_free(tile) <= now) {
       in_flight.run(tile, cover, now + kFlight);
       since[tile] = now;
       cover.covered.for_each_stamp([&](int place) {
@@ -110,8 +108,8 @@ TEST(InFlight, RunThatRetiresLaterIsSeen) {
 
 TEST(InFlight, FrameBeginsWithNoneInFlight) {
   const auto c = spec::contract(design_of(3, 1, 1));
-  std::mt19937 random(3);
-  const core::TileCover cover = random_cover(c, &random);
+  spec::Random random(3);
+  const fast::TileCover cover = random_cover(c, &random);
   InFlight in_flight(c.design);
   in_flight.begin_frame(1);
   in_flight.run(0, cover, 100);

@@ -2,6 +2,7 @@
 // write by write, in every kind of design and raster state.
 #include "model/memory/kinds.h"
 #include "model/timing/frame_memory.h"
+#include "tb/ready.h"
 #include "tests/rtl/support.h"
 #include "tests/timing/support.h"
 
@@ -54,9 +55,7 @@ class Unit {
     const tb::Stalls stalls(options.stall_mode, options.seed);
     memory_.set_timing(
         memory::make_timing(memory::Kind::kIdeal, contract_, options.depth_latency_cycles));
-    memory_.set_ready([stalls](timing::ExternalPort port, Cycle cycle) {
-      return !stalls(port, static_cast<uint64_t>(cycle));
-    });
+    memory_.set_ready(tb::ready_of(stalls));
     memory_.begin_frame(state);
     ports_.begin_frame(state);
     frame_ = {};
@@ -69,28 +68,28 @@ class Unit {
     accepted_.clear();
     Cycle offered = 0;
     for (const spec::Stamp& stamp : stamps) {
-      while (stalls(tb::Port::kInput, static_cast<uint64_t>(offered))) ++offered;
-      accepted_.push_back(static_cast<uint64_t>(unit_.take(tiled_(stamp), offered)));
-      offered = static_cast<Cycle>(accepted_.back()) + 1;
+      while (stalls(tb::Port::kInput, offered)) ++offered;
+      accepted_.push_back(unit_.take(tiled_(stamp), offered));
+      offered = accepted_.back() + 1;
     }
     unit_.drain();
   }
-  const std::vector<uint64_t>& accepted() const { return accepted_; }
+  const std::vector<Cycle>& accepted() const { return accepted_; }
   const core::FrameCounters& counters() const { return frame_.counters; }
 
  private:
   spec::Contract contract_;
   timing::InterpZtestUnit unit_;
   Tiled tiled_{contract_};
-  std::vector<uint64_t> accepted_;
+  std::vector<Cycle> accepted_;
   timing::MemoryPorts ports_;
   timing::FrameMemory memory_;
   timing::Frame frame_;
 };
 
 template <class T>
-std::vector<uint64_t> cycles_of(const std::vector<Event<T>>& events) {
-  std::vector<uint64_t> cycles;
+std::vector<Cycle> cycles_of(const std::vector<Event<T>>& events) {
+  std::vector<Cycle> cycles;
   for (const auto& event : events) cycles.push_back(event.cycle);
   return cycles;
 }
@@ -103,20 +102,20 @@ TEST_P(InterpZtestCycles, EqualWriteByWrite) {
   const tb::RtlLibrary& library = tb::raster_rtl(GetParam());
   const spec::Contract& c = library.contract();
   Unit unit(c);
-  vectors::Rng rng(11);
+  spec::Random random(11);
   size_t writes = 0;
   for (const int latency : {1, 2, 3, 8, c.design.max_depth_latency_cycles}) {
     for (const tb::StallMode mode : tb::kStallModes) {
       for (int i = 0; i < 6; ++i) {
-        const auto drawing = tb::random_traversal(&rng, c, i < 3 ? 8 : 40, 16, 200);
+        const auto drawing = tb::random_traversal(&random, c, i < 3 ? 8 : 40, 16, 200);
         tb::BenchOptions options;
         options.depth_latency_cycles = latency;
         options.stall_mode = mode;
-        options.seed = rng.next();
+        options.seed = random.bits();
         Record record;
-        ModelRecorder recorder(&record);
+        Recorder recorder(&record);
         unit.run(drawing.frame, drawing.out, options, &recorder);
-        std::vector<uint64_t> accepted;
+        std::vector<Cycle> accepted;
         tb::InterpZtestBench bench(library, options);
         const auto written = bench.run(drawing.frame, drawing.out, &accepted);
         ASSERT_EQ(unit.accepted(), accepted) << "latency " << latency;
@@ -136,10 +135,10 @@ TEST(InterpZtestCyclesMutant, AStageLessIsNoticed) {
   spec::Contract shorter = library.contract();
   --shorter.width.attribute_cycles;
   Unit unit(shorter);
-  vectors::Rng rng(12);
-  const auto drawing = tb::random_traversal(&rng, library.contract(), 40, 16, 100);
+  spec::Random random(12);
+  const auto drawing = tb::random_traversal(&random, library.contract(), 40, 16, 100);
   Record record;
-  ModelRecorder recorder(&record);
+  Recorder recorder(&record);
   unit.run(drawing.frame, drawing.out, {}, &recorder);
   const auto written = tb::InterpZtestBench(library, {}).run(drawing.frame, drawing.out);
   EXPECT_EQ(record.colors.size(), written.color.cycles.size());

@@ -7,21 +7,13 @@
 #include "model/scene/scene.h"
 #include "model/spec/clear_depth.h"
 #include "model/spec/design_file.h"
-#include "model/timing/counter_list.h"
+#include "model/timing/counters.h"
 #include "tb/frame_bench.h"
+#include "tb/ready.h"
 #include "tests/timing/support.h"
 
 namespace pineda::test {
 namespace {
-
-using BenchRecorder = Recorder<tb::Listener, uint64_t>;
-
-// The stalls of the benches, as the model takes them.
-timing::Ready ready_of(const tb::Stalls& stalls) {
-  return [stalls](timing::ExternalPort port, Cycle cycle) {
-    return !stalls(port, static_cast<uint64_t>(cycle));
-  };
-}
 
 // Each unit's causes and each FIFO's levels add up to the frame.
 bool adds_up(const timing::CycleCounters& spent) {
@@ -35,11 +27,10 @@ bool adds_up(const timing::CycleCounters& spent) {
 
 // Every counter that differs; empty if none.
 std::string counters_that_differ(const spec::Contract& c, const timing::FrameResult& model,
-                                 const tb::FrameResult& rtl) {
+                                 const timing::FrameResult& rtl) {
   std::string text;
   for (const auto& d :
-       timing::counter_differences(timing::counter_list(c, model.spent, model.counters),
-                                   timing::counter_list(c, rtl.spent, rtl.counters))) {
+       timing::counter_differences(timing::counter_list(c, model), timing::counter_list(c, rtl))) {
     text +=
         d.name + ": expected " + std::to_string(d.rtl) + ", got " + std::to_string(d.model) + "; ";
   }
@@ -60,23 +51,22 @@ class Comparison {
     tb::FrameBench bench(library_, options);
     Record expected;
     Record got;
-    BenchRecorder bench_recorder(&expected);
-    ModelRecorder model_recorder(&got);
+    Recorder bench_recorder(&expected);
+    Recorder model_recorder(&got);
     const auto rtl = bench.run(scene.frame, pull_from(scene), &bench_recorder);
     top_.set_depth_latency_cycles(model_latency);
-    top_.set_ready(ready_of({options.stall_mode, options.seed}));
+    top_.set_ready(tb::ready_of({options.stall_mode, options.seed}));
     const auto model = top_.run(scene.frame, pull_from(scene), &model_recorder);
     stamps_ += expected.stamps.size();
     hidden_ += model.counters.tiles_hidden;
-    for (const auto& [name, count] : timing::counter_list(contract_, rtl.spent, rtl.counters)) {
-      counted_[name] += count;
+    for (const auto& counter : timing::counter_list(contract_, rtl)) {
+      counted_[counter.name] += counter.count;
     }
     same_frame_ = same_frame_ && bench.buffer().depth == top_.buffer().depth &&
                   bench.buffer().color == top_.buffer().color;
     last_ = top_.buffer();
     if (const auto text = difference(expected, got, true, contract_); !text.empty()) return text;
-    if (rtl.cycles == static_cast<uint64_t>(model.cycles))
-      return counters_that_differ(contract_, model, rtl);
+    if (rtl.cycles == model.cycles) return counters_that_differ(contract_, model, rtl);
     return "frame: expected " + std::to_string(rtl.cycles) + " cycles, got " +
            std::to_string(model.cycles);
   }
@@ -225,19 +215,19 @@ TEST(RtlFrames, DrainedCyclesPlaceTheNextFrame) {
   const tb::RtlLibrary library(kContract);
   tb::FrameBench bench(library, {});
   timing::RasterTop top("top", kContract);
-  uint64_t start = 0;
+  Cycle start = 0;
   for (uint64_t seed = 0; seed < 20; ++seed) {
     const Scene scene = random_scene(kKinds[seed % 7], seed, static_cast<int>(seed % 5) * 6);
     Record expected;
     Record got;
-    BenchRecorder bench_recorder(&expected, start);
-    ModelRecorder model_recorder(&got);
+    Recorder bench_recorder(&expected, start);
+    Recorder model_recorder(&got);
     const auto rtl = bench.run(scene.frame, pull_from(scene), &bench_recorder);
     const auto model = top.run(scene.frame, pull_from(scene), &model_recorder);
     ASSERT_EQ(difference(expected, got, true), "") << "seed " << seed;
-    ASSERT_EQ(rtl.cycles, static_cast<uint64_t>(model.cycles)) << "seed " << seed;
+    ASSERT_EQ(rtl.cycles, model.cycles) << "seed " << seed;
     ASSERT_EQ(counters_that_differ(kContract, model, rtl), "") << "seed " << seed;
-    start += static_cast<uint64_t>(model.spent.drained) + 1;
+    start += model.spent.drained + 1;
   }
 }
 
@@ -257,13 +247,12 @@ TEST(RtlCountersMutant, BlockedCountedAsBusyIsNoticed) {
   options.stall_mode = tb::StallMode::kSink;
   tb::FrameBench bench(library, options);
   timing::RasterTop top("top", kContract);
-  top.set_ready(ready_of({options.stall_mode, options.seed}));
+  top.set_ready(tb::ready_of({options.stall_mode, options.seed}));
   const Scene scene = random_scene(Kind::kMedium, 3, 20);
   const auto rtl = bench.run(scene.frame, pull_from(scene), nullptr);
   const auto model = top.run(scene.frame, pull_from(scene));
-  const auto differences =
-      timing::counter_differences(timing::counter_list(kContract, model.spent, model.counters),
-                                  timing::counter_list(kContract, rtl.spent, rtl.counters));
+  const auto differences = timing::counter_differences(timing::counter_list(kContract, model),
+                                                       timing::counter_list(kContract, rtl));
   ASSERT_EQ(differences.size(), 2u) << counters_that_differ(kContract, model, rtl);
   EXPECT_EQ(differences[0].name, "stamps.busy");
   EXPECT_EQ(differences[1].name, "stamps.blocked");
@@ -281,8 +270,8 @@ TEST(RtlDesignsMutant, QuickerReciprocalInTheModelIsNoticed) {
   const Scene scene = random_scene(Kind::kMedium, 3, 20);
   Record expected;
   Record got;
-  BenchRecorder bench_recorder(&expected);
-  ModelRecorder model_recorder(&got);
+  Recorder bench_recorder(&expected);
+  Recorder model_recorder(&got);
   bench.run(scene.frame, pull_from(scene), &bench_recorder);
   top.run(scene.frame, pull_from(scene), &model_recorder);
   EXPECT_EQ(difference(expected, got, false, library.contract()), "");
@@ -391,8 +380,8 @@ TEST(HiddenMutant, LongerDelayInTheModelIsNoticed) {
   }
   Record expected;
   Record got;
-  BenchRecorder bench_recorder(&expected);
-  ModelRecorder model_recorder(&got);
+  Recorder bench_recorder(&expected);
+  Recorder model_recorder(&got);
   bench.run(scene.frame, pull_from(scene), &bench_recorder);
   top.run(scene.frame, pull_from(scene), &model_recorder);
   EXPECT_LT(expected.stamps.size(), got.stamps.size());
@@ -408,8 +397,8 @@ TEST(HiddenMutant, GreatestClearedDepthInTheModelIsNoticed) {
   scene.frame.clear_depth = .5;
   Record expected;
   Record got;
-  BenchRecorder bench_recorder(&expected);
-  ModelRecorder model_recorder(&got);
+  Recorder bench_recorder(&expected);
+  Recorder model_recorder(&got);
   bench.run(scene.frame, pull_from(scene), &bench_recorder);
   scene.frame.clear_depth = 1;
   top.run(scene.frame, pull_from(scene), &model_recorder);

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "model/memory/kinds.h"
-#include "model/scene/random.h"
 #include "model/scene/scene.h"
+#include "model/spec/random.h"
 #include "tests/timing/support.h"
 
 namespace pineda::test {
@@ -25,15 +25,15 @@ constexpr int kFewestHits = 34;
 constexpr int kBiasSeeds = 8;
 constexpr int kTriangles = 100'000;
 
-scene::ScreenTriangle small_triangle(scene::Random* random, int number, float side_px) {
+scene::ScreenTriangle small_triangle(spec::Random* random, int number, float side_px) {
   scene::ScreenTriangle triangle;
   triangle.id = static_cast<uint32_t>(number);
-  const float x = random->between(0, 600);
-  const float y = random->between(0, 440);
+  const float x = random->uniform(0, 600);
+  const float y = random->uniform(0, 440);
   for (auto& v : triangle.v) {
-    v.x = x + random->between(0, side_px);
-    v.y = y + random->between(0, side_px);
-    v.z = random->between(0, 1);
+    v.x = x + random->uniform(0, side_px);
+    v.y = y + random->uniform(0, side_px);
+    v.z = random->uniform(0, 1);
   }
   return triangle;
 }
@@ -48,7 +48,7 @@ scene::Scene scene_of(std::vector<scene::ScreenTriangle> triangles) {
 
 // Sides from 2 to 14 px and back, twice over the stream.
 scene::Scene slowly_changing() {
-  scene::Random random(3);
+  spec::Random random(3);
   std::vector<scene::ScreenTriangle> triangles;
   for (int i = 0; i < kTriangles; ++i) {
     const double turn = 4 * M_PI * i / kTriangles;
@@ -60,14 +60,14 @@ scene::Scene slowly_changing() {
 // One in 8 is larger. Runs of up to 40 lie outside of the frame, which setup drops faster than it
 // draws, and of up to 20 are no triangles at all.
 scene::Scene mixed() {
-  scene::Random random(4);
+  spec::Random random(4);
   std::vector<scene::ScreenTriangle> triangles;
   int outside = 0;
   int none = 0;
   for (int i = 0; i < kTriangles; ++i) {
-    triangles.push_back(small_triangle(&random, i, random.in(0, 7) == 0 ? 20.f : 5.f));
-    if (random.in(0, 400) == 0) outside = random.in(1, 40);
-    if (random.in(0, 150) == 0) none = random.in(1, 20);
+    triangles.push_back(small_triangle(&random, i, random.between(0, 7) == 0 ? 20.f : 5.f));
+    if (random.between(0, 400) == 0) outside = random.between(1, 40);
+    if (random.between(0, 150) == 0) none = random.between(1, 20);
     for (auto& v : triangles.back().v) v.x += outside > 0 ? 1000.f : 0.f;
     if (none > 0) triangles.back().v[0].x = std::numeric_limits<float>::quiet_NaN();
     --outside;
@@ -210,7 +210,7 @@ TEST_F(Sampled, IntervalBesideFewLargeTrianglesIsDisclaimed) {
 
 // Setup runs ahead of a large triangle: between its acceptances lie the cycles of others.
 TEST_F(Sampled, LargeTriangleCountsInItsOwnWindow) {
-  scene::Random random(6);
+  spec::Random random(6);
   std::vector<scene::ScreenTriangle> triangles;
   for (int i = 0; i < 600; ++i) triangles.push_back(small_triangle(&random, i, 2));
   triangles[299].v = {{{0, 0, .5f}, {640, 0, .5f}, {0, 480, .5f}}};
@@ -223,7 +223,7 @@ TEST_F(Sampled, LargeTriangleCountsInItsOwnWindow) {
 TEST_F(Sampled, AllBlocksAreTheFullRunBehindDram) {
   top_.set_memory(memory::make_timing(memory::Kind::kDram, kContract, 0));
   std::vector<scene::ScreenTriangle> triangles;
-  scene::Random random(7);
+  spec::Random random(7);
   for (int i = 0; i < 3000; ++i) triangles.push_back(small_triangle(&random, i, 9));
   const scene::Scene scene = scene_of(std::move(triangles));
   const auto result = sample(scene, {3000, 250, 64, 12}, 0);

@@ -1,40 +1,37 @@
 #include "tests/timing/support.h"
 
 #include <algorithm>
+#include <random>
+
+#include "model/spec/random.h"
 
 namespace pineda::test {
 
 namespace {
 
-class Random {
+class Random : public spec::RandomFrom<std::mt19937_64> {
  public:
-  explicit Random(uint64_t seed) : engine_(seed) {}
-  int64_t in(int64_t low, int64_t high) {  // both inclusive
-    return low + static_cast<int64_t>(engine_() % static_cast<uint64_t>(high - low + 1));
-  }
+  using RandomFrom::RandomFrom;
   int32_t near(int64_t center, int64_t radius) {
-    return static_cast<int32_t>(in(center - radius, center + radius));
+    return static_cast<int32_t>(between(center - radius, center + radius));
   }
-
- private:
-  std::mt19937_64 engine_;
 };
 
 void randomize_values(Random* random, spec::Triangle* t) {
   const int64_t far = ((int64_t{1} << spec::kHighTile.depth_bits) - 1)
                       << spec::kDepthInputFractionBits;
   for (spec::Vertex& v : t->v) {
-    v.z = random->in(0, far);
+    v.z = random->between(0, far);
     for (size_t a = 0; a < static_cast<size_t>(spec::kHighTile.attributes); ++a) {
-      v.attr[a] = static_cast<int32_t>(random->in(0, 255));
+      v.attr[a] = static_cast<int32_t>(random->between(0, 255));
     }
   }
 }
 
 // Corners within `reach` subpixels of a point of the frame.
 void scatter(Random* random, const spec::FrameState& frame, int64_t reach, spec::Triangle* t) {
-  const int64_t x = random->in(0, frame.width * kPx);
-  const int64_t y = random->in(0, frame.height * kPx);
+  const int64_t x = random->between(0, frame.width * kPx);
+  const int64_t y = random->between(0, frame.height * kPx);
   for (spec::Vertex& v : t->v) {
     v.x = random->near(x, reach);
     v.y = random->near(y, reach);
@@ -69,7 +66,7 @@ spec::Triangle random_triangle(Random* random, const spec::FrameState& frame, Ki
       t = flat_triangle(-1, -1, 2 * frame.width + 2, -1, -1, 2 * frame.height + 2);
       break;
     case Kind::kMixed:
-      return random_triangle(random, frame, kKinds[random->in(0, 5)]);
+      return random_triangle(random, frame, kKinds[random->between(0, 5)]);
   }
   randomize_values(random, &t);
   return t;
@@ -77,14 +74,17 @@ spec::Triangle random_triangle(Random* random, const spec::FrameState& frame, Ki
 
 // What the units look at beside size, cull state and the common depth functions.
 void randomize_state(Random* random, spec::FrameState* frame) {
-  if (random->in(0, 2) == 0) frame->depth = static_cast<spec::DepthFunc>(random->in(0, 8));
-  frame->depth_write = random->in(0, 3) != 0;
-  if (random->in(0, 3) == 0) {
-    frame->scissor_x0 = static_cast<int>(random->in(0, frame->width / 2));
-    frame->scissor_y1 = static_cast<int>(random->in(frame->height / 2, frame->height));
+  if (random->between(0, 2) == 0)
+    frame->depth = static_cast<spec::DepthFunc>(random->between(0, 8));
+  frame->depth_write = random->between(0, 3) != 0;
+  if (random->between(0, 3) == 0) {
+    frame->scissor_x0 = static_cast<int>(random->between(0, frame->width / 2));
+    frame->scissor_y1 = static_cast<int>(random->between(frame->height / 2, frame->height));
   }
-  if (random->in(0, 1) == 0) frame->bias_slope = static_cast<int32_t>(random->in(-600, 600));
-  if (random->in(0, 2) == 0) frame->clear_depth = static_cast<double>(random->in(0, 4)) / 4;
+  if (random->between(0, 1) == 0)
+    frame->bias_slope = static_cast<int32_t>(random->between(-600, 600));
+  if (random->between(0, 2) == 0)
+    frame->clear_depth = static_cast<double>(random->between(0, 4)) / 4;
 }
 
 // From the formats of the default design to those of another; 1/w of any ratio.
@@ -98,8 +98,8 @@ void fit(Random* random, const spec::Contract& contract, spec::Triangle* t) {
     v.z >>= spec::kHighTile.depth_bits - d.depth_bits;
     if (!d.perspective) continue;
     const int64_t half = int64_t{1} << (d.inverse_w_bits - 1);
-    v.inverse_w = static_cast<int32_t>(random->in(half, 2 * half - 1));
-    v.inverse_w_shift = &v == &t->v[0] ? 0 : static_cast<int32_t>(random->in(0, 20));
+    v.inverse_w = static_cast<int32_t>(random->between(half, 2 * half - 1));
+    v.inverse_w_shift = &v == &t->v[0] ? 0 : static_cast<int32_t>(random->between(0, 20));
   }
 }
 
@@ -133,11 +133,11 @@ const char* kind_name(Kind kind) {
 Scene random_scene(Kind kind, uint64_t seed, int triangles, const spec::Contract& contract) {
   Random random(seed);
   Scene scene;
-  scene.frame.width = static_cast<int>(random.in(1, 150));
-  scene.frame.height = static_cast<int>(random.in(1, 90));
+  scene.frame.width = static_cast<int>(random.between(1, 150));
+  scene.frame.height = static_cast<int>(random.between(1, 90));
   // Mostly no culling: a scene of dropped triangles says little.
-  scene.frame.cull = static_cast<spec::Cull>(std::max<int64_t>(random.in(-2, 2), 0));
-  scene.frame.depth = static_cast<spec::DepthFunc>(random.in(0, 2));
+  scene.frame.cull = static_cast<spec::Cull>(std::max<int64_t>(random.between(-2, 2), 0));
+  scene.frame.depth = static_cast<spec::DepthFunc>(random.between(0, 2));
   for (int i = 0; i < triangles; ++i) {
     scene.triangles.push_back(random_triangle(&random, scene.frame, kind));
     scene.triangles.back().id = static_cast<uint32_t>(i);

@@ -1,7 +1,6 @@
 // What the timing tests share: scenes to draw, and a record of every token with its cycle.
 #pragma once
 
-#include <random>
 #include <string>
 #include <vector>
 
@@ -48,7 +47,7 @@ Scene random_scene(Kind kind, uint64_t seed, int triangles,
 /// A token and the cycle of its handshake.
 template <class T>
 struct Event {
-  uint64_t cycle;
+  Cycle cycle;
   T token;
 };
 
@@ -60,26 +59,23 @@ struct Record {
   std::vector<Event<spec::ColorWrite>> colors;
 };
 
-/// Records what a listener hears; works for the listeners of the model and of the benches, whose
-/// cycles differ in type. Cycles count from `start`.
-template <class Base, class Count>
-class Recorder final : public Base {
+/// Records what a listener hears; cycles count from `start`.
+class Recorder final : public timing::Listener {
  public:
-  explicit Recorder(Record* record, Count start = 0) : record_(*record), start_(start) {}
-  void prim(Count cycle, const spec::SetupPrim& t) override { add(&record_.prims, cycle, t); }
-  void stamp(Count cycle, const spec::Stamp& t) override { add(&record_.stamps, cycle, t); }
-  void depth(Count cycle, const spec::DepthWrite& t) override { add(&record_.depths, cycle, t); }
-  void color(Count cycle, const spec::ColorWrite& t) override { add(&record_.colors, cycle, t); }
+  explicit Recorder(Record* record, Cycle start = 0) : record_(*record), start_(start) {}
+  void prim(Cycle cycle, const spec::SetupPrim& t) override { add(&record_.prims, cycle, t); }
+  void stamp(Cycle cycle, const spec::Stamp& t) override { add(&record_.stamps, cycle, t); }
+  void depth(Cycle cycle, const spec::DepthWrite& t) override { add(&record_.depths, cycle, t); }
+  void color(Cycle cycle, const spec::ColorWrite& t) override { add(&record_.colors, cycle, t); }
 
  private:
   template <class T>
-  void add(std::vector<Event<T>>* events, Count cycle, const T& token) {
-    events->push_back({static_cast<uint64_t>(cycle - start_), token});
+  void add(std::vector<Event<T>>* events, Cycle cycle, const T& token) {
+    events->push_back({cycle - start_, token});
   }
   Record& record_;
-  Count start_;
+  Cycle start_;
 };
-using ModelRecorder = Recorder<timing::Listener, Cycle>;
 
 /// The first difference of two sequences in bits or cycles, with the name of the boundary; empty if
 /// none.

@@ -8,38 +8,25 @@
 #include <string>
 #include <vector>
 
-#include "vectors/generator/rng.h"
+#include "model/figures/coverage.h"
+#include "model/figures/limits.h"
 #include "vectors/generator/scenes.h"
 
 namespace pineda::vectors {
 
-/// Subpixels.
-struct Point {
-  int64_t x = 0;
-  int64_t y = 0;
-};
-inline Point operator+(Point p, Point q) { return {p.x + q.x, p.y + q.y}; }
-inline Point operator-(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
-inline Point operator*(int64_t k, Point p) { return {k * p.x, k * p.y}; }
+using figures::Corners;
+using figures::Point;
 
 /// One scene being drawn. `index` counts the scenes of its class.
-class Draw {
+class Draw : public figures::Pen {
  public:
   Draw(const spec::Contract& contract, uint64_t seed, int index)
-      : contract_(contract), rng_(seed), index_(index) {}
+      : Pen(contract.design, seed), contract_(contract), index_(index) {}
 
-  Rng& rng() { return rng_; }
   int index() const { return index_; }
   Scene& scene() { return scene_; }
   const spec::Contract& contract() const { return contract_; }
 
-  int64_t px() const { return int64_t{1} << contract_.design.subpixel_bits; }
-  int64_t half() const { return px() / 2; }
-  int64_t tile() const { return px() << contract_.design.tile_log2; }
-  Point center(int64_t i, int64_t j) const { return {i * px() + half(), j * px() + half()}; }
-  /// The guard band: least and greatest coordinate.
-  int64_t least() const { return -(px() << contract_.design.guard_bits); }
-  int64_t greatest() const { return -least() - 1; }
   /// Greatest depth and attribute of a vertex.
   int64_t far() const;
   int32_t full() const { return (1 << contract_.design.attribute_bits) - 1; }
@@ -48,26 +35,24 @@ class Draw {
     scene_.frame.width = width;
     scene_.frame.height = height;
   }
-  /// A point of the box [low, high] in px, both included; kept inside the guard band.
-  Point point(int64_t low_x, int64_t low_y, int64_t high_x, int64_t high_y);
-  Point point_near(Point p, int64_t radius);  // subpixels
+  /// A point of the box [low, high] in px, both included.
+  Point point(int64_t low_x, int64_t low_y, int64_t high_x, int64_t high_y) {
+    return in_box(px() * Point{low_x, low_y}, px() * Point{high_x, high_y});
+  }
   /// The centre of a pixel low .. high, in both directions.
-  Point any_center(int64_t low, int64_t high);
+  Point any_center(int64_t low, int64_t high) { return center_in_box({low, low}, {high, high}); }
   /// A vertex with random depth and attributes; with perspective also 1/w, the three of a triangle
   /// up to 2^20 apart and now and then as far as it goes.
   spec::Vertex vertex(Point p);
 
   /// Adds a triangle whose vertices start anywhere and run either way round.
-  void add(const std::array<Point, 3>& p) {
-    add_shuffled({vertex(p[0]), vertex(p[1]), vertex(p[2])});
-  }
+  void add(const Corners& p) { add_shuffled({vertex(p[0]), vertex(p[1]), vertex(p[2])}); }
   void add_shuffled(std::array<spec::Vertex, 3> v);
   /// Adds the triangle as it stands.
   void add_ordered(const std::array<spec::Vertex, 3>& v);
 
  private:
   spec::Contract contract_;
-  Rng rng_;
   int index_;
   Scene scene_;
 };

@@ -1,7 +1,7 @@
 #include "vectors/generator/generate.h"
 
 #include "model/spec/package.h"
-#include "vectors/generator/rng.h"
+#include "model/spec/random.h"
 
 namespace pineda::vectors {
 namespace {
@@ -62,15 +62,15 @@ Fit make_case(const Contract& c, const Scene& scene, FrameCase* result) {
 }
 
 // A plane with every bit random: it wraps and leaves the output's range.
-spec::Plane raw_plane(Rng& rng, int bits) {
-  const auto any = [&] { return spec::wrap(static_cast<int64_t>(rng.next()), bits); };
+spec::Plane raw_plane(spec::Random& random, int bits) {
+  const auto any = [&] { return spec::wrap(static_cast<int64_t>(random.bits()), bits); };
   return {any(), any(), any()};
 }
 
 // Stamps that no triangle makes: they wrap, clamp and round where scenes cannot. The judge has
 // nothing to say of them; the definition in core is all there is.
 InterpZtestCase raw_stamps(const Contract& c, uint64_t seed, int index) {
-  Rng rng(seed ^ spec::text_hash("raw_planes." + std::to_string(index)));
+  spec::Random random(seed ^ spec::text_hash("raw_planes." + std::to_string(index)));
   const spec::Design& d = c.design;
   InterpZtestCase inputs;
   inputs.name = "raw_planes." + std::to_string(index);
@@ -79,13 +79,13 @@ InterpZtestCase raw_stamps(const Contract& c, uint64_t seed, int index) {
   for (uint32_t i = 0; i < 12; ++i) {
     spec::Stamp stamp;
     stamp.id = i;
-    stamp.x = static_cast<int>(rng.between(0, (2 << d.tile_log2 >> d.stamp_width_log2) - 1));
-    stamp.y = static_cast<int>(rng.between(0, (2 << d.tile_log2 >> d.stamp_height_log2) - 1));
-    stamp.mask = static_cast<uint32_t>(rng.between(1, (int64_t{1} << c.width.lanes) - 1));
-    stamp.planes.z = raw_plane(rng, c.width.depth_tile_plane);
-    stamp.planes.z_bias = spec::wrap(static_cast<int64_t>(rng.next()), c.width.depth_bias);
+    stamp.x = static_cast<int>(random.between(0, (2 << d.tile_log2 >> d.stamp_width_log2) - 1));
+    stamp.y = static_cast<int>(random.between(0, (2 << d.tile_log2 >> d.stamp_height_log2) - 1));
+    stamp.mask = static_cast<uint32_t>(random.between(1, (int64_t{1} << c.width.lanes) - 1));
+    stamp.planes.z = raw_plane(random, c.width.depth_tile_plane);
+    stamp.planes.z_bias = spec::wrap(static_cast<int64_t>(random.bits()), c.width.depth_bias);
     for (size_t a = 0; a < static_cast<size_t>(d.attributes); ++a) {
-      stamp.planes.attr[a] = raw_plane(rng, c.width.attr_tile_plane);
+      stamp.planes.attr[a] = raw_plane(random, c.width.attr_tile_plane);
     }
     inputs.in.push_back(stamp);
   }

@@ -5,21 +5,20 @@ namespace pineda::vectors {
 namespace {
 
 void random_state(Draw& d) {
-  d.scene().frame.depth = static_cast<spec::DepthFunc>(d.rng().between(0, 2));
+  d.scene().frame.depth = static_cast<spec::DepthFunc>(d.random().between(0, 2));
   // Half of the scenes cull nothing.
   d.scene().frame.cull =
-      d.rng().coin() ? spec::Cull::kNone : static_cast<spec::Cull>(d.rng().between(1, 2));
+      d.random().coin() ? spec::Cull::kNone : static_cast<spec::Cull>(d.random().between(1, 2));
 }
 
 // Triangles with sides up to 2*reach px about points of a small window.
 void in_window(Draw& d, int triangles, int64_t reach) {
-  const int width = static_cast<int>(d.rng().between(6, 11));
-  d.frame(width, static_cast<int>(d.rng().between(6, 11)));
+  const int width = d.random().between(6, 11);
+  d.frame(width, d.random().between(6, 11));
   random_state(d);
   for (int i = 0; i < triangles; ++i) {
     const Point p = d.point(0, 0, d.scene().frame.width, d.scene().frame.height);
-    const int64_t radius = reach * d.px();
-    d.add({d.point_near(p, radius), d.point_near(p, radius), d.point_near(p, radius)});
+    d.add(figures::around(d, p, reach * d.px()));
   }
 }
 void random_1px(Draw& d) { in_window(d, 10, 1); }
@@ -36,7 +35,7 @@ void random_anywhere(Draw& d) {
   random_state(d);
   for (int i = 0; i < 4; ++i) {
     const Point p = d.point(0, 0, side, side);
-    d.add({d.point_near(p, 3 * d.px()), d.point_near(p, 3 * d.px()), d.point_near(p, 3 * d.px())});
+    d.add(figures::around(d, p, 3 * d.px()));
   }
 }
 
@@ -48,7 +47,7 @@ void random_strip(Draw& d) {
   random_state(d);
   for (int i = 0; i < 5; ++i) {
     const Point p = d.point(0, 0, d.scene().frame.width, d.scene().frame.height);
-    d.add({d.point_near(p, 3 * d.px()), d.point_near(p, 3 * d.px()), d.point_near(p, 3 * d.px())});
+    d.add(figures::around(d, p, 3 * d.px()));
   }
 }
 

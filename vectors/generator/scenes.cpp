@@ -13,48 +13,27 @@ int64_t Draw::far() const {
   return ((int64_t{1} << contract_.design.depth_bits) - 1) << spec::kDepthInputFractionBits;
 }
 
-Point Draw::point(int64_t low_x, int64_t low_y, int64_t high_x, int64_t high_y) {
-  const auto coordinate = [this](int64_t low, int64_t high) {
-    return std::clamp(rng_.between(low * px(), high * px()), least(), greatest());
-  };
-  const int64_t x = coordinate(low_x, high_x);
-  return {x, coordinate(low_y, high_y)};
-}
-
-Point Draw::point_near(Point p, int64_t radius) {
-  const auto coordinate = [&](int64_t at) {
-    return std::clamp(rng_.between(at - radius, at + radius), least(), greatest());
-  };
-  const int64_t x = coordinate(p.x);
-  return {x, coordinate(p.y)};
-}
-
 Vertex Draw::vertex(Point p) {
   Vertex v;
   v.x = static_cast<int32_t>(p.x);
   v.y = static_cast<int32_t>(p.y);
-  v.z = rng_.between(0, far());
+  v.z = random().between(0, far());
   for (int i = 0; i < spec::channels(contract_.design); ++i) {
-    v.attr[static_cast<size_t>(i)] = static_cast<int32_t>(rng_.between(0, full()));
+    v.attr[static_cast<size_t>(i)] = static_cast<int32_t>(random().between(0, full()));
   }
   if (!contract_.design.perspective) return v;
   const int32_t half = 1 << (contract_.design.inverse_w_bits - 1);
-  v.inverse_w = static_cast<int32_t>(rng_.between(half, 2 * int64_t{half} - 1));
-  const int64_t kind = rng_.between(0, 7);
-  v.inverse_w_shift = static_cast<int32_t>(kind == 0   ? rng_.between(0, 253)
+  v.inverse_w = static_cast<int32_t>(random().between(half, 2 * int64_t{half} - 1));
+  const int64_t kind = random().between(0, 7);
+  v.inverse_w_shift = static_cast<int32_t>(kind == 0   ? random().between(0, 253)
                                            : kind <= 3 ? 0
-                                                       : rng_.between(0, 20));
+                                                       : random().between(0, 20));
   return v;
 }
 
-Point Draw::any_center(int64_t low, int64_t high) {
-  const int64_t i = rng_.between(low, high);
-  return center(i, rng_.between(low, high));
-}
-
 void Draw::add_shuffled(std::array<Vertex, 3> v) {
-  std::rotate(v.begin(), v.begin() + rng_.between(0, 2), v.end());
-  if (rng_.coin()) std::swap(v[1], v[2]);
+  std::rotate(v.begin(), v.begin() + random().between(0, 2), v.end());
+  if (random().coin()) std::swap(v[1], v[2]);
   add_ordered(v);
 }
 
@@ -73,9 +52,9 @@ std::vector<Scene> scenes(const spec::Contract& contract, int level, uint64_t se
     for (const SceneClass& kind : classes) {
       const int count = level == 1 ? kind.scenes : 8 * kind.scenes;
       for (int i = 0; i < count; ++i) {
-        Rng mix(seed ^ spec::text_hash(kind.name));
-        const uint64_t scene_seed = mix.next() + static_cast<uint64_t>(i);
-        Draw draw(contract, Rng(scene_seed).next(), i);
+        spec::Random mix(seed ^ spec::text_hash(kind.name));
+        const uint64_t scene_seed = mix.bits() + static_cast<uint64_t>(i);
+        Draw draw(contract, spec::Random(scene_seed).bits(), i);
         kind.draw(draw);
         draw.scene().name = std::string(kind.name) + "." + std::to_string(i);
         all.push_back(draw.scene());

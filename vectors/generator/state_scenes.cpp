@@ -14,7 +14,7 @@ using spec::Vertex;
 // Triangles whose depths are few, so that many samples are equal.
 void add_few_depths(Draw& d, int count) {
   for (int i = 0; i < count; ++i) {
-    const int64_t z = d.rng().between(0, 3) * (d.far() / 3);
+    const int64_t z = d.random().between(0, 3) * (d.far() / 3);
     const auto vertex = [&] {
       Vertex v = d.vertex(d.point(0, 0, 8, 8));
       v.z = z;
@@ -36,10 +36,10 @@ void depth_function(Draw& d) {
 void scissor(Draw& d) {
   d.frame(20, 18);
   spec::FrameState& frame = d.scene().frame;
-  frame.scissor_x0 = static_cast<int>(d.rng().between(0, 12));
-  frame.scissor_y0 = static_cast<int>(d.rng().between(0, 12));
-  frame.scissor_x1 = frame.scissor_x0 + static_cast<int>(d.rng().between(d.index() % 3, 12));
-  frame.scissor_y1 = frame.scissor_y0 + static_cast<int>(d.rng().between(d.index() % 3, 12));
+  frame.scissor_x0 = d.random().between(0, 12);
+  frame.scissor_y0 = d.random().between(0, 12);
+  frame.scissor_x1 = frame.scissor_x0 + static_cast<int>(d.random().between(d.index() % 3, 12));
+  frame.scissor_y1 = frame.scissor_y0 + static_cast<int>(d.random().between(d.index() % 3, 12));
   d.add({d.point(-40, -40, -1, -1), d.point(60, -20, 80, 5), d.point(-30, 60, 10, 90)});
   for (int i = 0; i < 3; ++i) {
     d.add({d.point(0, 0, 20, 18), d.point(0, 0, 20, 18), d.point(0, 0, 20, 18)});
@@ -50,14 +50,14 @@ void scissor(Draw& d) {
 void depth_bias(Draw& d) {
   d.frame(8, 8);
   spec::FrameState& frame = d.scene().frame;
-  frame.depth = d.rng().coin() ? DepthFunc::kLequal : DepthFunc::kGequal;
+  frame.depth = d.random().coin() ? DepthFunc::kLequal : DepthFunc::kGequal;
   const int64_t top = d.far() >> spec::kDepthInputFractionBits;
   const int64_t reach = d.index() % 3 == 0 ? top : 1000;
-  frame.bias_constant = d.index() % 4 == 1 ? 0 : d.rng().between(-reach, reach);
+  frame.bias_constant = d.index() % 4 == 1 ? 0 : d.random().between(-reach, reach);
   frame.bias_slope = static_cast<int32_t>(d.index() % 4 == 2   ? 0
-                                          : d.index() % 3 == 0 ? d.rng().between(-32768, 32767)
-                                                               : d.rng().between(-512, 512));
-  if (d.index() % 4 == 3) frame.bias_slope = d.rng().coin() ? -32768 : 32767;
+                                          : d.index() % 3 == 0 ? d.random().between(-32768, 32767)
+                                                               : d.random().between(-512, 512));
+  if (d.index() % 4 == 3) frame.bias_slope = d.random().coin() ? -32768 : 32767;
   add_few_depths(d, 2);
   for (int i = 0; i < 3; ++i) {
     d.add({d.point(-9, -9, 17, 17), d.point(-9, -9, 17, 17), d.point(-9, -9, 17, 17)});
@@ -80,7 +80,8 @@ void clear_depth(Draw& d) {
   spec::FrameState& frame = d.scene().frame;
   frame.depth = static_cast<DepthFunc>(d.index() % 9);
   const int64_t top = d.far() >> spec::kDepthInputFractionBits;
-  const std::array<int64_t, 5> codes{0, top / 3, top - 1, d.rng().between(0, top - 1), top / 3 * 2};
+  const std::array<int64_t, 5> codes{0, top / 3, top - 1, d.random().between(0, top - 1),
+                                     top / 3 * 2};
   const auto code =
       static_cast<uint32_t>(codes[static_cast<size_t>(d.index() + d.index() / 9) % 5]);
   frame.clear_depth = spec::depth_of_code(code, d.contract().design.depth_bits);

@@ -39,14 +39,9 @@ void value_extremes(Draw& d) {
 // Coordinates that are the formats' extremes or lie next to zero, in all sign combinations.
 void format_extremes(Draw& d) {
   d.frame(4, 4);
-  const std::array<int64_t, 8> extremes{
-      d.least(), d.greatest(), d.least() + 1, d.greatest() - 1, -1, 0, 1, d.half()};
-  const auto pick = [&] { return extremes[static_cast<size_t>(d.rng().between(0, 7))]; };
   const auto corner = [&](int quadrant) {
-    const int64_t x = pick();
-    const int64_t y = pick();
-    Vertex v = d.vertex({(quadrant & 1) != 0 ? x : -1 - x, (quadrant & 2) != 0 ? y : -1 - y});
-    return with_depth(v, d.rng().coin() ? d.far() : 0);
+    const Vertex v = d.vertex(figures::extreme_corner(d, quadrant));
+    return with_depth(v, d.random().coin() ? d.far() : 0);
   };
   for (int i = 0; i < 6; ++i) d.add_shuffled({corner(i), corner(i + 1), corner(i + 2)});
   for (auto& triangle : d.scene().triangles) triangle.id += 0xfffffff0u;  // the greatest numbers
@@ -58,11 +53,11 @@ void coplanar(Draw& d) {
   d.frame(10, 10);
   d.scene().frame.depth = less_or_lequal(d);
   const int64_t limit = d.far() / (40 * d.px());
-  const int64_t gx = d.rng().between(-limit, limit), gy = d.rng().between(-limit, limit);
-  const auto on_plane = [&](Point p) {
-    return with_depth(d.vertex(p), d.far() / 2 + gx * p.x + gy * p.y);
-  };
-  d.add_shuffled({on_plane({0, 0}), on_plane({10 * d.px(), 0}), on_plane({0, 10 * d.px()})});
+  const int64_t gx = d.random().between(-limit, limit), gy = d.random().between(-limit, limit);
+  const figures::WholePlane plane{d.far() / 2, gx, gy};
+  const auto on_plane = [&](Point p) { return with_depth(d.vertex(p), plane.at(p)); };
+  const auto [a, b, c] = figures::right_angle({0, 0}, 10 * d.px());
+  d.add_shuffled({on_plane(a), on_plane(b), on_plane(c)});
   for (int i = 0; i < 3; ++i) {
     d.add_shuffled({on_plane(d.point(0, 0, 5, 5)), on_plane(d.point(0, 0, 5, 5)),
                     on_plane(d.point(0, 0, 5, 5))});
@@ -104,7 +99,7 @@ void back_to_back(Draw& d) {
   d.frame(6, 6);
   d.scene().frame.depth = less_or_lequal(d);
   for (int i = 0; i < 16; ++i) {
-    const int64_t z = d.rng().between(1, 4) * d.far() / 5;
+    const int64_t z = d.random().between(1, 4) * d.far() / 5;
     const auto vertex = [&] { return with_depth(d.vertex(d.point(1, 1, 5, 5)), z); };
     d.add_shuffled({vertex(), vertex(), vertex()});
   }
@@ -120,7 +115,7 @@ void alternating(Draw& d) {
   d.frame(static_cast<int>(kAddresses * width), 4);
   const int addresses = 1 + d.index() % kAddresses;
   for (int i = 0; i < 24; ++i) {
-    const int64_t x = width * (i % addresses), z = d.rng().between(0, 3) * (d.far() / 3);
+    const int64_t x = width * (i % addresses), z = d.random().between(0, 3) * (d.far() / 3);
     const auto in_stamp = [&] { return with_depth(d.vertex(d.point(x, 0, x + width, height)), z); };
     d.add_shuffled({in_stamp(), in_stamp(), in_stamp()});
   }

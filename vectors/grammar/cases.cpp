@@ -17,27 +17,16 @@ std::optional<Unit> find_unit(const std::string& name) {
 }
 
 const std::vector<Counter>& counters() {
-#define PINEDA_COUNTER(label, member)                                    \
-  Counter {                                                              \
-    label, [](const core::FrameCounters& c) { return c.member; },        \
-        [](core::FrameCounters& c, uint64_t value) { c.member = value; } \
-  }
-  static const std::vector<Counter> all{
-      PINEDA_COUNTER("triangles", triangles),
-      PINEDA_COUNTER("kept", dropped[static_cast<size_t>(core::Drop::kNone)]),
-      PINEDA_COUNTER("zero_area", dropped[static_cast<size_t>(core::Drop::kZeroArea)]),
-      PINEDA_COUNTER("facing", dropped[static_cast<size_t>(core::Drop::kFacing)]),
-      PINEDA_COUNTER("no_sample", dropped[static_cast<size_t>(core::Drop::kNoSample)]),
-      PINEDA_COUNTER("outside", dropped[static_cast<size_t>(core::Drop::kOutside)]),
-      PINEDA_COUNTER("tiles_tested", tiles_tested),
-      PINEDA_COUNTER("tiles_rejected", tiles_rejected),
-      PINEDA_COUNTER("tiles_accepted", tiles_accepted),
-      PINEDA_COUNTER("stamps", stamps),
-      PINEDA_COUNTER("fragments", fragments),
-      PINEDA_COUNTER("interpolated", interpolated),
-      PINEDA_COUNTER("passed", passed),
-  };
-#undef PINEDA_COUNTER
+  static const std::vector<Counter> all = [] {
+    std::vector<Counter> columns;
+    for (const core::FrameCounter& row : core::kFrameCounters) {
+      if (row.known == core::Known::kInTime) continue;
+      std::string name = row.is_drop() ? core::drop_key(row.drop) : row.name;
+      if (row.is_drop() && row.drop == core::Drop::kNone) name = "kept";
+      columns.push_back({std::move(name), &row});
+    }
+    return columns;
+  }();
   return all;
 }
 

@@ -60,11 +60,10 @@ struct FrameCase {
   core::FrameCounters counters;
 };
 
-/// A counter of a frame, as files and mismatch lines name it.
+/// A counter of a frame, as files and mismatch lines name it. What depends on time is not in files.
 struct Counter {
-  const char* name;
-  uint64_t (*get)(const core::FrameCounters&);
-  void (*set)(core::FrameCounters&, uint64_t);
+  std::string name;
+  const core::FrameCounter* row;
 };
 const std::vector<Counter>& counters();
 

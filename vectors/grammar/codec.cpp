@@ -169,7 +169,7 @@ std::string Codec<FrameCase>::write(const FrameCase& value) const {
   const core::FrameBuffer& b = value.buffer;
   std::string text = triangle_.write_all(value.in) + "counters";
   for (const auto& counter : counters()) {
-    text += " " + hex(static_cast<int64_t>(counter.get(value.counters)), kCounterBits);
+    text += " " + hex(static_cast<int64_t>(counter.row->of(value.counters)), kCounterBits);
   }
   return text + "\n" + write_rows("depth", b.depth, b.width, d.depth_bits, 1) +
          write_rows("color", b.color, b.width, d.attribute_bits, b.channels) +
@@ -183,7 +183,8 @@ void Codec<FrameCase>::read(Lines* lines, FrameCase* value) const {
   size_t word = 0;
   for (const auto& counter : counters()) {
     const std::string what = fmt::format("counter {}", counter.name);
-    counter.set(value->counters, parse_hex(*lines, lines->word(++word, what), kCounterBits, what));
+    const std::string text = lines->word(++word, what);
+    counter.row->of(value->counters) = parse_hex(*lines, text, kCounterBits, what);
   }
   if (lines->words() != word + 1) lines->refuse(fmt::format("{} counters", word));
   lines->next();

@@ -55,8 +55,8 @@ Text memory_difference(const FrameCase& c, const char* name, int bits, int per_s
 
 Text counter_difference(const FrameCase& expected, const FrameCase& got) {
   for (const auto& counter : counters()) {
-    const uint64_t a = counter.get(expected.counters);
-    const uint64_t b = counter.get(got.counters);
+    const uint64_t a = counter.row->of(expected.counters);
+    const uint64_t b = counter.row->of(got.counters);
     if (a != b) return fmt::format("counter {}: expected {}, got {}", counter.name, a, b);
   }
   return std::nullopt;

@@ -18,17 +18,7 @@ SetupCase run_model(const Contract& c, const SetupCase& inputs) {
 TraversalCase run_model(const Contract& c, const TraversalCase& inputs) {
   TraversalCase result{inputs.name, inputs.frame, inputs.in, {}};
   for (const auto& prim : inputs.in) {
-    core::TileWalk tiles(c, prim);
-    core::Tile tile;
-    for (core::TileWalk::Test test; (test = tiles.next(&tile)) != core::TileWalk::Test::kEnd;) {
-      if (test == core::TileWalk::Test::kRejected) continue;
-      spec::Stamp stamp;
-      core::StampWalk stamps(c, tile);
-      stamps.begin(&stamp);
-      while (stamps.next(&stamp.mask, &stamp.x, &stamp.y)) {
-        if (stamp.mask != 0) result.out.push_back(stamp);
-      }
-    }
+    core::for_each_stamp(c, prim, [&](const spec::Stamp& stamp) { result.out.push_back(stamp); });
   }
   return result;
 }

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 
-#include "model/scene/random.h"
+#include "model/spec/random.h"
 
 namespace pineda::scene {
 namespace {
+
+using spec::Random;
 
 constexpr int kSpacingPx = 24;  // of the grid
 constexpr float kJitter = .2f;  // of the spacing
@@ -25,9 +27,9 @@ void add_grid(int width, int height, uint64_t seed, float nearest, float farthes
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
       ScreenVertex v;
-      v.x = kSpacingPx * (static_cast<float>(i - 1) + random.between(-kJitter, kJitter));
-      v.y = kSpacingPx * (static_cast<float>(j - 1) + random.between(-kJitter, kJitter));
-      v.z = random.between(nearest, farthest);
+      v.x = kSpacingPx * (static_cast<float>(i - 1) + random.uniform(-kJitter, kJitter));
+      v.y = kSpacingPx * (static_cast<float>(j - 1) + random.uniform(-kJitter, kJitter));
+      v.z = random.uniform(nearest, farthest);
       for (size_t k = 0; k < 3; ++k) v.rgba[k] = static_cast<uint8_t>(random.bits());
       v.rgba[3] = 255;
       vertex.push_back(v);
@@ -57,7 +59,7 @@ std::array<std::array<double, 2>, 3> random_corners(Random* random, double* area
   std::array<std::array<double, 2>, 3> corner{};
   do {
     for (auto& point : corner) {
-      for (double& value : point) value = random->between(0, 1);
+      for (double& value : point) value = random->uniform(0, 1);
     }
     const auto& [p, q, r] = corner;
     *area = .5 * std::abs((q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1]));
@@ -104,13 +106,13 @@ std::vector<ScreenTriangle> random_triangles(const RandomScene& scene, int width
     const double side = std::sqrt(scene.area_px / area);  // 0: the frame in place of a square
     const double box_width = side > 0 ? side : width;
     const double box_height = side > 0 ? side : height;
-    const double left = side > 0 ? double{random.between(0, 1)} * width - side / 2 : 0;
-    const double top = side > 0 ? double{random.between(0, 1)} * height - side / 2 : 0;
+    const double left = side > 0 ? double{random.uniform(0, 1)} * width - side / 2 : 0;
+    const double top = side > 0 ? double{random.uniform(0, 1)} * height - side / 2 : 0;
     for (size_t i = 0; i < 3; ++i) {
       ScreenVertex& v = t.v[i];
       v.x = static_cast<float>(left + corners[i][0] * box_width);
       v.y = static_cast<float>(top + corners[i][1] * box_height);
-      v.z = random.between(0, 1);
+      v.z = random.uniform(0, 1);
       for (size_t k = 0; k < 3; ++k) v.rgba[k] = static_cast<uint8_t>(random.bits());
       v.rgba[3] = 255;
     }

@@ -8,61 +8,40 @@
 #include <utility>
 #include <vector>
 
+#include "model/figures/coverage.h"
+#include "model/figures/limits.h"
 #include "model/scene/hard/cases.h"
 #include "model/scene/mesh_reader.h"
-#include "model/scene/random.h"
 
 namespace pineda::scene::hard {
 
-inline constexpr int kPx = 256;
-inline constexpr int kHalfPx = kPx / 2;
-inline constexpr int kGuardPx = 16384;
-inline constexpr int kLeast = -kGuardPx * kPx;
-inline constexpr int kGreatest = kGuardPx * kPx - 1;
+using figures::Corners;
+using figures::Point;
+
+inline constexpr figures::Lattice kLattice(spec::kHighTile);
+inline constexpr int64_t kPx = kLattice.px();
+inline constexpr int64_t kHalfPx = kLattice.half();
 inline constexpr int kCellPx = 16;  // cases of many small figures give each a cell of its own
 
-struct Point {
-  int x = 0;
-  int y = 0;
-};
-inline Point operator+(Point p, Point q) { return {p.x + q.x, p.y + q.y}; }
-inline Point operator-(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
-inline Point operator*(int k, Point p) { return {k * p.x, k * p.y}; }
-
-/// The centre of pixel (x, y).
-constexpr Point center(int x, int y) { return {x * kPx + kHalfPx, y * kPx + kHalfPx}; }
-
 /// A scene being drawn.
-class Drawing {
+class Drawing : public figures::Pen {
  public:
-  explicit Drawing(uint64_t seed) : random_(seed) {}
+  explicit Drawing(uint64_t seed) : Pen(spec::kHighTile, seed) {}
 
-  Random& random() { return random_; }
+  bool coin() { return random().between(0, 1) == 1; }
   std::vector<ScreenTriangle>& triangles() { return triangles_; }
-
-  /// A point of the box, its borders included.
-  Point in_box(Point low, Point high) {
-    return {random_.in(low.x, high.x), random_.in(low.y, high.y)};
-  }
-  Point near(Point p, int reach) { return p + in_box({-reach, -reach}, {reach, reach}); }
-
-  /// A sample of the box of pixels.
-  Point center_in_box(Point low, Point high) {
-    const Point pixel = in_box(low, high);
-    return center(pixel.x, pixel.y);
-  }
 
   /// A vertex of random depth and colour.
   ScreenVertex vertex(Point p) {
     ScreenVertex v;
     v.x = static_cast<float>(p.x) / kPx;
     v.y = static_cast<float>(p.y) / kPx;
-    v.z = random_.between(0, 1);
+    v.z = random().uniform(0, 1);
     v.rgba = color();
     return v;
   }
   std::array<uint8_t, 4> color() {
-    const uint64_t bits = random_.bits();
+    const uint64_t bits = random().bits();
     return {static_cast<uint8_t>(bits), static_cast<uint8_t>(bits >> 8),
             static_cast<uint8_t>(bits >> 16), 255};
   }
@@ -71,18 +50,18 @@ class Drawing {
   void add(const std::array<ScreenVertex, 3>& v) {
     triangles_.push_back({static_cast<uint32_t>(triangles_.size()), v});
   }
-  void add(Point a, Point b, Point c) { add({vertex(a), vertex(b), vertex(c)}); }
+  void add(const Corners& p) { add({vertex(p[0]), vertex(p[1]), vertex(p[2])}); }
   /// Adds it from any vertex on, either way round.
   void add_shuffled(std::array<ScreenVertex, 3> v) {
-    if (random_.coin()) std::swap(v[1], v[2]);
-    std::rotate(v.begin(), v.begin() + random_.in(0, 2), v.end());
+    if (coin()) std::swap(v[1], v[2]);
+    std::rotate(v.begin(), v.begin() + random().between(0, 2), v.end());
     add(v);
   }
-  void add_shuffled(Point a, Point b, Point c) { add_shuffled({vertex(a), vertex(b), vertex(c)}); }
+  void add_shuffled(const Corners& p) { add_shuffled({vertex(p[0]), vertex(p[1]), vertex(p[2])}); }
   /// A triangle of one depth and one colour.
-  void add_flat(Point a, Point b, Point c, float z) {
+  void add_flat(const Corners& p, float z) {
     const auto rgba = color();
-    std::array<ScreenVertex, 3> v{vertex(a), vertex(b), vertex(c)};
+    std::array<ScreenVertex, 3> v{vertex(p[0]), vertex(p[1]), vertex(p[2])};
     for (ScreenVertex& corner : v) {
       corner.z = z;
       corner.rgba = rgba;
@@ -91,7 +70,6 @@ class Drawing {
   }
 
  private:
-  Random random_;
   std::vector<ScreenTriangle> triangles_;
 };
 
@@ -107,7 +85,7 @@ inline constexpr spec::FrameState frame(int width, int height,
 /// A grid of quads that reaches over a frame of kGridFrame's size, its corners moved by a fifth of
 /// the spacing and put on multiples of `lattice`; in any winding and vertex order.
 inline constexpr spec::FrameState kGridFrame = frame(64, 48);
-std::vector<ScreenTriangle> grid(uint64_t seed, int spacing, int lattice);
+std::vector<ScreenTriangle> grid(uint64_t seed, int64_t spacing, int64_t lattice);
 
 /// The parts of the catalogue.
 std::vector<HardCase> coverage_cases();

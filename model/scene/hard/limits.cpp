@@ -13,40 +13,25 @@ constexpr float kInf = std::numeric_limits<float>::infinity();
 // the frame whose ends lie thousands of pixels away.
 std::vector<ScreenTriangle> huge() {
   Drawing d(11);
-  static constexpr std::array<Point, 4> kCorner{
-      {{kLeast, kLeast}, {kGreatest, kLeast}, {kGreatest, kGreatest}, {kLeast, kGreatest}}};
   for (size_t i = 0; i < 4; ++i) {
-    d.add(kCorner[i], kCorner[(i + 1) % 4], kCorner[(i + 2) % 4]);
-    d.add(kCorner[i], kCorner[(i + 2) % 4], kCorner[(i + 1) % 4]);
+    const auto [a, b, c] = figures::three_of(figures::guard_band(d), i);
+    d.add({a, b, c});
+    d.add({a, c, b});
   }
   for (int i = 0; i < 16; ++i) {
     const Point q = d.in_box({0, 0}, {24 * kPx, 16 * kPx});
     const Point along = d.near({0, 0}, 8000 * kPx);
-    const Point far = d.near({0, 0}, kGreatest);
-    d.add_shuffled(q + along, q - along, far);
+    d.add_shuffled(figures::through(q, along, d.near({0, 0}, d.greatest())));
   }
   return d.triangles();
 }
 
 // A fan from the middle of the frame to the borders of the guard band, all the way round.
 std::vector<ScreenTriangle> guard_band_fan() {
-  constexpr int kTriangles = 64;
   Drawing d(19);
-  // Along a side of the guard band's square, then along the next.
-  std::vector<Point> ring;
-  for (int i = 0; i < kTriangles; ++i) {
-    constexpr int kOnASide = kTriangles / 4;
-    const int along = std::min(
-        kLeast + i % kOnASide * (2 * kGuardPx / kOnASide) * kPx + d.random().in(0, 500 * kPx),
-        kGreatest);
-    const std::array<Point, 4> sides{
-        {{along, kLeast}, {kGreatest, along}, {-1 - along, kGreatest}, {kLeast, -1 - along}}};
-    ring.push_back(sides[static_cast<size_t>(i / kOnASide)]);
-  }
+  const auto ring = figures::guard_band_ring(d, 16, 500 * kPx);
   const Point middle = d.near({160 * kPx, 120 * kPx}, 20 * kPx);
-  for (size_t i = 0; i < ring.size(); ++i) {
-    d.add_shuffled(middle, ring[i], ring[(i + 1) % ring.size()]);
-  }
+  for (const Corners& triangle : figures::fan(middle, ring)) d.add_shuffled(triangle);
   return d.triangles();
 }
 
@@ -54,25 +39,15 @@ std::vector<ScreenTriangle> guard_band_fan() {
 std::vector<ScreenTriangle> far_mesh() {
   constexpr int kColumns = 60;
   constexpr int kRows = 16;
-  constexpr int kSpacing = 4 * kPx;
+  constexpr int64_t kSpacing = 4 * kPx;
   Drawing d(20);
-  std::vector<Point> vertex;
-  for (int j = 0; j <= kRows; ++j) {
-    for (int i = 0; i <= kColumns; ++i) {
-      const bool inside = i > 0 && i < kColumns && j > 0 && j < kRows;
-      const Point p{kGreatest - (kColumns - i) * kSpacing, j * kSpacing};
-      vertex.push_back(inside ? d.near(p, kSpacing / 5) : p);
-    }
-  }
-  for (int j = 0; j < kRows; ++j) {
-    for (int i = 0; i < kColumns; ++i) {
-      const auto at = [&](int column, int row) {
-        const auto index = static_cast<size_t>(row) * (kColumns + 1) + static_cast<size_t>(column);
-        return vertex[index];
-      };
-      d.add_shuffled(at(i, j), at(i + 1, j), at(i, j + 1));
-      d.add_shuffled(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-    }
+  const auto corner = [&](int i, int j) {
+    const bool inside = i > 0 && i < kColumns && j > 0 && j < kRows;
+    const Point p{d.greatest() - (kColumns - i) * kSpacing, j * kSpacing};
+    return inside ? d.near(p, kSpacing / 5) : p;
+  };
+  for (const auto& quad : figures::mesh(kColumns, kRows, corner)) {
+    for (const Corners& half : figures::halves(quad, false)) d.add_shuffled(half);
   }
   return d.triangles();
 }
@@ -89,7 +64,7 @@ std::vector<ScreenTriangle> beyond_guard_band() {
       // -16384 itself is inside.
       const float value = component < 2 ? beyond : -beyond - .5f;
       (component % 2 == 0 ? v[0].x : v[0].y) = value;
-      (component % 2 == 0 ? v[0].y : v[0].x) = d.random().between(-20, 40);
+      (component % 2 == 0 ? v[0].y : v[0].x) = d.random().uniform(-20, 40);
       d.add_shuffled(v);
     }
   }
@@ -102,9 +77,7 @@ std::vector<ScreenTriangle> over_borders(uint64_t seed, int width, int height, i
   const Point middle{width * kHalfPx, height * kHalfPx};
   for (int i = 0; i < 27; ++i) {
     const Point at{(i % 3) * middle.x, (i / 3 % 3) * middle.y};
-    const Point a = d.near(at, reach_px * kPx);
-    const Point b = d.near(at, reach_px * kPx);
-    d.add_shuffled(a, b, d.near(at, reach_px * kPx));
+    d.add_shuffled(figures::around(d, at, reach_px * kPx));
   }
   return d.triangles();
 }
@@ -115,25 +88,20 @@ std::vector<ScreenTriangle> odd_frame_1x1() { return over_borders(15, 1, 1, 2); 
 // Vertices on the corners of 8x8 tiles, a subpixel or half a pixel off them; then edges along the
 // borders of tiles.
 std::vector<ScreenTriangle> tile_corners() {
-  constexpr int kTile = 8 * kPx;
   Drawing d(16);
   const auto corner = [&] {
-    const Point p = kTile * d.in_box({0, 0}, {5, 5});
-    const int offset = d.random().coin() ? 1 : kHalfPx;
+    const Point p = d.tile() * d.in_box({0, 0}, {5, 5});
+    const int64_t offset = d.coin() ? 1 : kHalfPx;
     return p + offset * d.in_box({-1, -1}, {1, 1});
   };
-  for (int i = 0; i < 32; ++i) {
-    const Point a = corner();
-    const Point b = corner();
-    d.add_shuffled(a, b, corner());
-  }
+  for (int i = 0; i < 32; ++i) d.add_shuffled(Corners{{corner(), corner(), corner()}});
   for (int i = 0; i < 16; ++i) {
-    const int x = (1 + i % 4) * kTile + d.random().in(-1, 1) * kHalfPx;
-    const Point far = d.in_box({0, 0}, {5 * kTile, 5 * kTile});
-    const Point a{x, d.random().in(0, 2 * kTile)};
-    const Point b{x, d.random().in(3 * kTile, 5 * kTile)};
+    const int64_t x = figures::tile_border(d, 1 + i % 4);
+    const Point far = d.in_box({0, 0}, {5 * d.tile(), 5 * d.tile()});
+    const Point a{x, d.random().between(0, 2 * d.tile())};
+    const Point b{x, d.random().between(3 * d.tile(), 5 * d.tile())};
     const auto turned = [&](Point p) { return i < 8 ? p : Point{p.y, p.x}; };
-    d.add_shuffled(turned(a), turned(b), turned(far));
+    d.add_shuffled({turned(a), turned(b), turned(far)});
   }
   return d.triangles();
 }
@@ -141,8 +109,6 @@ std::vector<ScreenTriangle> tile_corners() {
 // Coordinates that are the format's extremes or next to zero, in all combinations of signs; depth
 // and colours 0 or greatest. Then, in cells, all combinations of extreme values on small triangles.
 std::vector<ScreenTriangle> format_extremes() {
-  static constexpr std::array<int, 8> kExtremes{kLeast, kGreatest, kLeast + 1, kGreatest - 1,
-                                                -1,     0,         1,          kHalfPx};
   Drawing d(17);
   const auto extreme = [](ScreenVertex v, bool far, bool bright) {
     v.z = far ? 1.f : 0.f;
@@ -152,14 +118,10 @@ std::vector<ScreenTriangle> format_extremes() {
   for (int i = 0; i < 64; ++i) {
     std::array<ScreenVertex, 3> v;
     for (int k = 0; k < 3; ++k) {
-      const Point pick = d.in_box({0, 0}, {7, 7});
-      const int x = kExtremes[static_cast<size_t>(pick.x)];
-      const int y = kExtremes[static_cast<size_t>(pick.y)];
-      // ~x keeps the guard band: -1 - least is the greatest.
-      const int quadrant = i >> (2 * k);
-      const Point p{(quadrant & 1) != 0 ? x : ~x, (quadrant & 2) != 0 ? y : ~y};
-      const bool far = d.random().coin();
-      v[static_cast<size_t>(k)] = extreme(d.vertex(p), far, d.random().coin());
+      const Point p = figures::extreme_corner(d, i >> (2 * k));
+      const bool far = d.coin();
+      const bool bright = d.coin();
+      v[static_cast<size_t>(k)] = extreme(d.vertex(p), far, bright);
     }
     d.add(v);
   }

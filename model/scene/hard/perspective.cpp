@@ -7,16 +7,12 @@ namespace {
 constexpr spec::FrameState kFrame = frame(64, 48);
 
 // As large as the frame, a needle, around the whole frame, a few pixels, a sliver through a sample.
-std::array<Point, 3> shape(Drawing& d, int kind) {
-  const auto anywhere = [&] { return d.in_box({0, 0}, {64 * kPx, 48 * kPx}); };
+Corners shape(Drawing& d, int kind) {
   const Point sample = d.center_in_box({8, 8}, {55, 39});
   switch (kind) {
     case 0:
-    case 1: {
-      const Point a = anywhere();
-      const Point b = anywhere();
-      return {a, b, anywhere()};
-    }
+    case 1:
+      return figures::within(d, {0, 0}, {64 * kPx, 48 * kPx});
     case 2: {
       const Point along = d.near({0, 0}, 800 * kPx);
       return {sample - along, sample + along, sample + along + d.near({0, 0}, kPx)};
@@ -26,11 +22,8 @@ std::array<Point, 3> shape(Drawing& d, int kind) {
       const Point b = d.in_box({400 * kPx, -900 * kPx}, {900 * kPx, -100 * kPx});
       return {a, b, d.in_box({-300 * kPx, 300 * kPx}, {300 * kPx, 900 * kPx})};
     }
-    case 4: {
-      const Point a = d.near(sample, 3 * kPx);
-      const Point b = d.near(sample, 3 * kPx);
-      return {a, b, d.near(sample, 3 * kPx)};
-    }
+    case 4:
+      return figures::around(d, sample, 3 * kPx);
     default: {
       const Point along = d.near({0, 0}, 40 * kPx);
       return {sample + along, sample - along + Point{2, 0}, sample - along - Point{2, 0}};
@@ -48,12 +41,12 @@ std::vector<ScreenTriangle> ratio() {
     const auto p = shape(d, i % 6);
     std::array<ScreenVertex, 3> v;
     for (size_t k = 0; k < 3; ++k) v[k] = d.vertex(p[k]);
-    const float scale = d.random().between(.01f, 100);
-    const int kind = d.random().in(0, 2);
+    const float scale = d.random().uniform(.01f, 100);
+    const int kind = d.random().between(0, 2);
     v[0].w = scale;
-    v[1].w = scale * (kind == 0   ? d.random().between(1, 2)
-                      : kind == 1 ? d.random().between(1, kRatio)
-                                  : d.random().between(.5f, 1) * kRatio);
+    v[1].w = scale * (kind == 0   ? d.random().uniform(1, 2)
+                      : kind == 1 ? d.random().uniform(1, kRatio)
+                                  : d.random().uniform(.5f, 1) * kRatio);
     v[2].w = scale * kRatio;
     if (i % 4 == 0) {
       v[0].rgba = {0, 255, 0, 255};
@@ -68,11 +61,11 @@ std::vector<ScreenTriangle> ratio() {
 // Triangles with one vertex just before the near plane, beside the frame, and two far away: its w
 // is 10 to 1000 times smaller than theirs. Nothing is cut.
 Mesh before_near_plane() {
-  Random random(40);
+  spec::Random random(40);
   Mesh mesh;
   const auto add = [&](double distance, float reach) {
-    const double x = static_cast<double>(random.between(-reach, reach));
-    const double y = static_cast<double>(random.between(-reach, reach));
+    const double x = static_cast<double>(random.uniform(-reach, reach));
+    const double y = static_cast<double>(random.uniform(-reach, reach));
     mesh.position.push_back({x * distance, y * distance, -distance});
     mesh.normal.push_back({0, 0, 1});
     const uint64_t bits = random.bits();
@@ -80,9 +73,9 @@ Mesh before_near_plane() {
                           static_cast<uint8_t>(bits >> 16), 255});
   };
   for (uint32_t i = 0; i < 24; ++i) {
-    add(.1 * (1 + .001 * static_cast<double>(random.between(0, 1))), 4);
-    add(static_cast<double>(random.between(1, 100)), .6f);
-    add(static_cast<double>(random.between(1, 100)), .6f);
+    add(.1 * (1 + .001 * static_cast<double>(random.uniform(0, 1))), 4);
+    add(static_cast<double>(random.uniform(1, 100)), .6f);
+    add(static_cast<double>(random.uniform(1, 100)), .6f);
     mesh.triangle.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
   return mesh;

@@ -27,7 +27,7 @@ std::vector<ScreenTriangle> few_depths() {
     const Point a = d.in_box({0, 0}, {32 * kPx, 32 * kPx});
     const Point b = d.near(a, 16 * kPx);
     const Point c = d.near(a, 16 * kPx);
-    d.add_flat(a, b, c, static_cast<float>(d.random().in(1, 4)) / 4);
+    d.add_flat({a, b, c}, static_cast<float>(d.random().between(1, 4)) / 4);
   }
   return d.triangles();
 }
@@ -45,7 +45,7 @@ std::vector<ScreenTriangle> few_depths_from_0() {
     const Point a = d.in_box({0, 0}, {32 * kPx, 32 * kPx});
     const Point b = d.near(a, 16 * kPx);
     const Point c = d.near(a, 16 * kPx);
-    d.add_flat(a, b, c, static_cast<float>(d.random().in(0, 4)) / 4);
+    d.add_flat({a, b, c}, static_cast<float>(d.random().between(0, 4)) / 4);
   }
   return d.triangles();
 }
@@ -73,7 +73,7 @@ std::vector<ScreenTriangle> slopes() {
   Drawing d(52);
   for (int i = 0; i < 36; ++i) {
     const float range = i % 4 == 0 ? 0 : i % 4 == 1 ? .001f : i % 4 == 2 ? .1f : 1;
-    const float low = d.random().between(0, 1 - range);
+    const float low = d.random().uniform(0, 1 - range);
     std::array<ScreenVertex, 3> v;
     for (ScreenVertex& corner : v) {
       corner = d.vertex(d.in_box({-8 * kPx, -8 * kPx}, {72 * kPx, 56 * kPx}));
@@ -98,7 +98,7 @@ std::vector<ScreenTriangle> flat_shading() {
     std::array<ScreenVertex, 3> v;
     for (ScreenVertex& corner : v) {
       corner = d.vertex(d.in_box({-8 * kPx, -8 * kPx}, {72 * kPx, 56 * kPx}));
-      corner.w = i % 2 == 0 ? 1 : d.random().between(1, 1000);
+      corner.w = i % 2 == 0 ? 1 : d.random().uniform(1, 1000);
     }
     d.add_shuffled(v);
   }

@@ -14,15 +14,13 @@ constexpr spec::FrameState kNearPlaneFrame = frame(96, 64);
 std::vector<ScreenTriangle> needles() {
   Drawing d(21);
   for (int i = 0; i < 32; ++i) {
-    const int length = d.random().in(100, i % 2 == 0 ? 1000 : 8000) * kPx;
-    const int width = d.random().in(kPx / 16, 2 * kPx);
-    const int across = d.random().in(-length / 2, length / 2);
-    const int before = d.random().in(1, 15);  // sixteenths of the length
-    const bool steep = d.random().coin();
-    const Point along = steep ? Point{across, length} : Point{length, across};
+    const int64_t length = d.random().between(100, i % 2 == 0 ? 1000 : 8000) * kPx;
+    const int64_t width = d.random().between(kPx / 16, 2 * kPx);
+    const int64_t across = d.random().between(-length / 2, length / 2);
+    const int before = d.random().between(1, 15);  // sixteenths of the length
+    const figures::Needle needle{length, across, width, d.coin()};
     const Point q = d.in_box({4 * kPx, 4 * kPx}, {60 * kPx, 44 * kPx});
-    const Point start = q - Point{along.x / 16 * before, along.y / 16 * before};
-    d.add_shuffled(start, start + along, start + (steep ? Point{width, 0} : Point{0, width}));
+    d.add_shuffled(needle.from(q - before * (needle.along() / 16)));
   }
   return d.triangles();
 }
@@ -31,17 +29,19 @@ std::vector<ScreenTriangle> needles() {
 // in whole units. The first triangle holds the others.
 std::vector<ScreenTriangle> coplanar() {
   Drawing d(22);
+  constexpr figures::WholePlane kPlane{16, 1, 2};
   const auto on_plane = [&](Point pixel) {
     ScreenVertex v = d.vertex(kPx * pixel);
-    v.z = static_cast<float>(16 + pixel.x + 2 * pixel.y) / 256;
+    v.z = static_cast<float>(kPlane.at(pixel)) / 256;
     return v;
   };
-  d.add_shuffled({on_plane({0, 0}), on_plane({64, 0}), on_plane({0, 64})});
+  const auto [a, b, c] = figures::right_angle({0, 0}, 64);
+  d.add_shuffled({on_plane(a), on_plane(b), on_plane(c)});
   for (int i = 0; i < 32; ++i) {
     std::array<ScreenVertex, 3> v;
     for (ScreenVertex& corner : v) {
-      const int x = d.random().in(0, 64);
-      corner = on_plane({x, d.random().in(0, 64 - x)});
+      const int x = d.random().between(0, 64);
+      corner = on_plane({x, d.random().between(0, 64 - x)});
     }
     d.add_shuffled(v);
   }
@@ -72,15 +72,14 @@ std::vector<ScreenTriangle> back_to_back() {
   Drawing d(24);
   for (int i = 0; i < 16; ++i) {
     const Point corner = d.in_box({0, 0}, {4 * kPx, 4 * kPx});
-    const int far = d.random().in(12, 15);
-    d.add_flat(corner, corner + Point{28 * kPx, 0}, corner + Point{0, 28 * kPx},
-               static_cast<float>(far) / 16);
+    const int far = d.random().between(12, 15);
+    d.add_flat(figures::right_angle(corner, 28 * kPx), static_cast<float>(far) / 16);
     const Point stamp = 2 * kPx * d.in_box({0, 0}, {13, 13});
     for (int k = 0; k < 8; ++k) {
       const Point a = stamp + d.in_box({0, 0}, {kPx, kPx});
       const Point b = stamp + d.in_box({kPx, 0}, {2 * kPx, kPx});
       const Point c = stamp + d.in_box({0, kPx}, {2 * kPx, 2 * kPx});
-      d.add_flat(a, b, c, static_cast<float>(d.random().in(1, 11)) / 16);
+      d.add_flat({a, b, c}, static_cast<float>(d.random().between(1, 11)) / 16);
     }
   }
   return d.triangles();
@@ -90,10 +89,9 @@ std::vector<ScreenTriangle> back_to_back() {
 std::vector<ScreenTriangle> depth_near_one() {
   Drawing d(25);
   for (int i = 0; i < 512; ++i) {
-    const Point c = center(i % 32, i / 32);
-    const int m = i == 0 ? 1 << 23 : i == 1 ? 1 << 24 : d.random().in(1 << 23, 1 << 24);
-    d.add_flat(c + Point{-100, -100}, c + Point{120, -100}, c + Point{-100, 120},
-               static_cast<float>(m) * 0x1p-24f);
+    const Point corner = d.center(i % 32, i / 32) - Point{100, 100};
+    const int m = i == 0 ? 1 << 23 : i == 1 ? 1 << 24 : d.random().between(1 << 23, 1 << 24);
+    d.add_flat(figures::right_angle(corner, 220), static_cast<float>(m) * 0x1p-24f);
   }
   return d.triangles();
 }
@@ -106,7 +104,7 @@ std::vector<ScreenTriangle> perspective() {
       std::array<ScreenVertex, 3> v;
       for (ScreenVertex& corner : v) corner = d.vertex(d.in_box({0, 0}, {64 * kPx, 48 * kPx}));
       v[0].w = ratio;
-      v[1].w = d.random().between(1, ratio);
+      v[1].w = d.random().uniform(1, ratio);
       d.add_shuffled(v);
     }
   }
@@ -117,14 +115,14 @@ std::vector<ScreenTriangle> perspective() {
 // behind the eye to before it, and on to the horizon.
 Mesh plain() {
   constexpr uint32_t kColumns = 65;
-  Random random(27);
+  spec::Random random(27);
   Mesh mesh;
   for (uint32_t i = 0; i < 3 * kColumns; ++i) {
     static constexpr std::array<double, 3> kRowZ{3, -.3, -20};
     const double x = .03 * (i % kColumns) - .96;
     const double z = kRowZ[i / kColumns];
-    mesh.position.push_back({x + static_cast<double>(random.between(-.01f, .01f)), 0,
-                             z + .2 * z * static_cast<double>(random.between(-1, 1))});
+    mesh.position.push_back({x + static_cast<double>(random.uniform(-.01f, .01f)), 0,
+                             z + .2 * z * static_cast<double>(random.uniform(-1, 1))});
     mesh.normal.push_back({0, 1, 0});
     const uint64_t bits = random.bits();
     mesh.color.push_back({static_cast<uint8_t>(bits), static_cast<uint8_t>(bits >> 8),

@@ -120,9 +120,9 @@ void TriReader::read_clear_depth() {
 
 template <class T, T spec::FrameState::*Member>
 void TriReader::read_word() {
-  const auto value = named<T>(lines_.words()[1]);
+  const auto value = spec::named<T>(lines_.words()[1]);
   if (!value) {
-    lines_.fail(fmt::format("{} {}", lines_.words()[0], alternatives(words_of<T>())), lines_.raw());
+    lines_.fail(fmt::format("{} {}", lines_.words()[0], spec::alternatives<T>()), lines_.raw());
   }
   frame_.*Member = *value;
 }

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "model/scene/vec.h"
+#include "model/spec/random.h"
 
 namespace pineda::scene {
 
@@ -21,13 +21,9 @@ struct LatticePoint {
 
 using LatticePolygon = std::vector<LatticePoint>;
 using Triangles = std::vector<std::array<uint32_t, 3>>;
-using Random = std::mt19937_64;
+using spec::Random;
 
 inline constexpr double kPi = 3.14159265358979323846;
-
-inline int64_t between(Random* random, int64_t low, int64_t high) {
-  return std::uniform_int_distribution<int64_t>(low, high)(*random);
-}
 
 inline std::string shown(const LatticePolygon& polygon) {
   std::string text;
@@ -100,7 +96,7 @@ inline LatticePolygon star(Random* random, size_t n, int64_t size) {
   LatticePolygon p;
   for (size_t i = 0; i < n; ++i) {
     const double angle = 2 * kPi * static_cast<double>(i) / static_cast<double>(n);
-    const auto radius = static_cast<double>(between(random, size / 8, size));
+    const auto radius = static_cast<double>(random->between(size / 8, size));
     p.push_back({std::llround(radius * std::cos(angle)), std::llround(radius * std::sin(angle))});
   }
   return p;
@@ -148,8 +144,8 @@ inline bool touch(const LatticePoint& a, const LatticePoint& b, const LatticePoi
 inline LatticePolygon grown(Random* random, size_t n, int64_t size) {
   LatticePolygon p{{0, 0}, {size, 0}, {0, size}};
   for (size_t tries = 0; p.size() < n && tries < 40 * n; ++tries) {
-    const LatticePoint at{between(random, 0, size), between(random, 0, size)};
-    const auto i = static_cast<size_t>(between(random, 0, static_cast<int64_t>(p.size()) - 1));
+    const LatticePoint at{random->between(0, size), random->between(0, size)};
+    const auto i = static_cast<size_t>(random->between(0, static_cast<int64_t>(p.size()) - 1));
     const LatticePoint a = p[i], b = p[(i + 1) % p.size()];
     bool is_free = !(twice_area(a, b, at) == 0 && touch(a, a, at, b));
     for (size_t k = 0; is_free && k < p.size(); ++k) {
@@ -169,7 +165,7 @@ inline LatticePolygon grown(Random* random, size_t n, int64_t size) {
 inline LatticePolygon untangled(Random* random, size_t n, int64_t size) {
   LatticePolygon p;
   while (p.size() < n) {
-    const LatticePoint at{between(random, 0, size), between(random, 0, size)};
+    const LatticePoint at{random->between(0, size), random->between(0, size)};
     bool is_general = true;
     for (size_t i = 0; i < p.size(); ++i) {
       for (size_t k = 0; k < i; ++k) is_general = is_general && twice_area(p[i], p[k], at) != 0;
@@ -192,15 +188,15 @@ inline LatticePolygon untangled(Random* random, size_t n, int64_t size) {
 }
 
 inline LatticePolygon simple(Random* random, size_t n) {
-  switch (between(random, 0, 4)) {
+  switch (random->between(0, 4)) {
     case 0:
       return star(random, n, 100000);
     case 1:
-      return comb(n / 4, between(random, 3, 50));
+      return comb(n / 4, random->between(3, 50));
     case 2:
       return spiral(n);
     case 3:
-      return grown(random, n, between(random, 4, 40));
+      return grown(random, n, random->between(4, 40));
     default:
       return untangled(random, std::min<size_t>(n, 24), 1000);
   }

@@ -36,13 +36,13 @@ Plane random_plane(Random* random) {
   Plane plane;
   do {
     for (size_t k = 0; k < 3; ++k) {
-      plane.origin[k] = static_cast<double>(between(random, -1000000, 1000000));
-      plane.x[k] = static_cast<double>(between(random, -30, 30));
-      plane.y[k] = static_cast<double>(between(random, -30, 30));
+      plane.origin[k] = static_cast<double>(random->between(-1000000, 1000000));
+      plane.x[k] = static_cast<double>(random->between(-30, 30));
+      plane.y[k] = static_cast<double>(random->between(-30, 30));
     }
   } while (cross(plane.x, plane.y) == Vec3{});
   plane.exponent =
-      static_cast<int>(between(random, 0, 2)) * static_cast<int>(between(random, -520, 480));
+      static_cast<int>(random->between(0, 2)) * static_cast<int>(random->between(-520, 480));
   return plane;
 }
 
@@ -182,7 +182,7 @@ TEST(Triangulate, RandomSimplePolygonsInRandomPlanesAreCoveredOnce) {
   Random random(1);
   size_t concave = 0;
   for (int trial = 0; trial < 600; ++trial) {
-    const LatticePolygon p = simple(&random, static_cast<size_t>(between(&random, 4, 80)));
+    const LatticePolygon p = simple(&random, static_cast<size_t>(random.between(4, 80)));
     const Cut is = cut(p, random_plane(&random));
     ASSERT_NE(is.shape, PolygonShape::kCrossing) << shown(p);
     ASSERT_EQ(fault_of(p, is.triangles), "") << shown(p);
@@ -215,13 +215,13 @@ LatticePolygon touched(Random* random, const LatticePolygon& simple) {
   for (auto& at : p) at = {at.x * 8, at.y * 8};
   const auto triangles = cut(p).triangles;
   const auto t = triangles[static_cast<size_t>(
-      between(random, 0, static_cast<int64_t>(triangles.size()) - 1))];
-  const auto k = static_cast<size_t>(between(random, 0, 2));
+      random->between(0, static_cast<int64_t>(triangles.size()) - 1))];
+  const auto k = static_cast<size_t>(random->between(0, 2));
   const uint32_t a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
   const auto behind = [&](uint32_t i) { return p.begin() + static_cast<std::ptrdiff_t>(i) + 1; };
   // What is cut into a triangle without area may lead outside.
   const bool has_area = twice_area(p[a], p[b], p[c]) != 0;
-  switch (has_area ? between(random, 0, 3) : 3) {
+  switch (has_area ? random->between(0, 3) : 3) {
     case 0:
       if (b == (a + 1) % p.size() && p.size() > 4) p.insert(behind(a), p[c]);
       return p;
@@ -246,8 +246,8 @@ TEST(Triangulate, RandomPolygonsThatTouchThemselvesAreCoveredOnce) {
   Random random(2);
   for (int trial = 0; trial < 600; ++trial) {
     LatticePolygon p = trial % 2 == 0
-                           ? grown(&random, static_cast<size_t>(between(&random, 4, 16)), 8)
-                           : untangled(&random, static_cast<size_t>(between(&random, 4, 14)), 40);
+                           ? grown(&random, static_cast<size_t>(random.between(4, 16)), 8)
+                           : untangled(&random, static_cast<size_t>(random.between(4, 14)), 40);
     for (int times = 0; times < 4; ++times) {
       const LatticePolygon next = touched(&random, p);
       // A diagonal may lead across what was cut open before.
@@ -300,9 +300,9 @@ TEST(Triangulate, CrossingPolygonsAreToldFromTouchingOnes) {
   size_t once = 0, crossing = 0, hidden = 0;
   for (int trial = 0; trial < 60000; ++trial) {
     LatticePolygon p;
-    const int64_t n = between(&random, 4, 9), size = between(&random, 2, 4);
+    const int64_t n = random.between(4, 9), size = random.between(2, 4);
     while (static_cast<int64_t>(p.size()) < n) {
-      p.push_back({between(&random, 0, size), between(&random, 0, size)});
+      p.push_back({random.between(0, size), random.between(0, size)});
     }
     const Cut is = cut(p);
     if (twice_area(p) == 0) {
@@ -328,7 +328,7 @@ LatticePolygon crossing_at_a_corner() {
   Random random(3);
   while (true) {
     LatticePolygon p;
-    while (p.size() < 9) p.push_back({between(&random, 0, 3), between(&random, 0, 3)});
+    while (p.size() < 9) p.push_back({random.between(0, 3), random.between(0, 3)});
     const PlanarPolygon polygon(Plane{}.place(p));
     Triangles none;
     if (polygon.has_plane() && winds_once(polygon) &&
@@ -421,12 +421,12 @@ TEST(PlanarPolygon, TurnsAreThoseOfTheNewellNormal) {
   Random random(6);
   std::array<int, 3> seen{};
   for (int trial = 0; trial < 60; ++trial) {
-    const auto size = between(&random, 1, 3), spread = between(&random, 0, 1) * 1000;
+    const auto size = random.between(1, 3), spread = random.between(0, 1) * 1000;
     std::vector<Vec3> corner(5);
     for (Vec3& p : corner) {
       for (double& c : p) {
-        c = std::ldexp(static_cast<double>(between(&random, -size, size)),
-                       static_cast<int>(between(&random, -spread, spread)));
+        c = std::ldexp(static_cast<double>(random.between(-size, size)),
+                       static_cast<int>(random.between(-spread, spread)));
       }
     }
     std::vector<Exact> exact;

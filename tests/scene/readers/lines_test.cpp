@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 #include <cstring>
-#include <random>
 
+#include "model/spec/random.h"
 #include "tests/scene/scratch.h"
 
 namespace pineda::scene {
@@ -83,23 +83,23 @@ TEST(ParseNumber, EveryFormOfANumberIsReadAsStrtofAndStrtodReadIt) {
 }
 
 TEST(ParseNumber, RandomLettersAreReadAsStrtofAndStrtodReadThem) {
-  std::mt19937_64 random(1);
+  spec::Random random(1);
   const std::string letters = "0123456789.-+eExpnaif";
   for (int trial = 0; trial < 100000; ++trial) {
     std::string word;
-    const size_t length = 1 + random() % 12;
+    const size_t length = 1 + random.bits() % 12;
     for (size_t i = 0; i < length; ++i) {
-      word += letters[random() % (trial % 2 == 0 ? letters.size() : size_t{14})];
+      word += letters[random.bits() % (trial % 2 == 0 ? letters.size() : size_t{14})];
     }
     expect_as_strto(word);
   }
 }
 
 TEST(ParseNumber, RandomNumbersAreReadAsStrtofAndStrtodReadThem) {
-  std::mt19937_64 random(2);
+  spec::Random random(2);
   for (int trial = 0; trial < 100000; ++trial) {
     double value = 0;
-    const uint64_t bits = random();
+    const uint64_t bits = random.bits();
     std::memcpy(&value, &bits, sizeof value);
     char text[64];
     std::snprintf(text, sizeof text, trial % 2 == 0 ? "%.9g" : "%.17g",

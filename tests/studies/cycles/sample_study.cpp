@@ -3,27 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/spec/random.h"
+
 namespace pineda::studies {
 namespace {
 
 constexpr int kSidePx = 96;
 constexpr int kValues = 4000;
 
-struct Random {
-  uint64_t state = 0x9e3779b97f4a7c15u;
-  double next() {  // [0, 1)
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<double>(state >> 11) * 0x1p-53;
-  }
-};
+using spec::Random;
 
 // Errors up to `max`: most of them final rounding, a tail by the logarithm.
 Distribution errors_up_to(double max, double tail, Random* random) {
   Distribution errors;
   for (int i = 0; i + 1 < kValues; ++i) {
-    const double even = .5 * random->next();
-    const double far = .25 * std::pow(4 * max, random->next());
-    const double error = random->next() < tail ? std::min(far, max) : even;
+    const double even = .5 * random->unit();
+    const double far = .25 * std::pow(4 * max, random->unit());
+    const double error = random->unit() < tail ? std::min(far, max) : even;
     errors.add(error, error > .5);
   }
   errors.add(max, max > .5);
@@ -37,7 +33,7 @@ ErrorMap map_of(const Subject& s, Random* random) {
       const double radius = std::hypot(x + .5 - kSidePx / 2., y + .5 - kSidePx / 2.) / kSidePx * 2;
       const bool drawn = radius < .95;
       const double far = std::pow(s.depth.max() / .3, radius) * .3;
-      const double near = .5 * random->next();
+      const double near = .5 * random->unit();
       const double error = s.depth.max() < .5 ? 0 : std::min(std::max(near, far), s.depth.max());
       map.depth_ulp.push_back(drawn ? static_cast<float>(error) : -1.F);
       map.color_lsb.push_back(drawn ? static_cast<float>(near) : -1.F);
@@ -138,7 +134,7 @@ Subject subject_of(const Row& row, const Wrong& wrong, const ErrorStudy& study, 
 }  // namespace
 
 ErrorStudy sample_study() {
-  Random random;
+  Random random(1);
   ErrorStudy study;
   study.width = study.height = kSidePx;
   study.triangles = 6320;

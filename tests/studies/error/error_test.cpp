@@ -42,13 +42,13 @@ std::vector<SceneTriangle> some_triangles(int count) {
   for (int n = 0; n < count; ++n) {
     std::array<Point, 3> p;
     for (auto& point : p) {
-      point.x = random.coordinate(-20 * 256, 110 * 256);
-      point.y = random.coordinate(-20 * 256, 100 * 256);
+      point.x = random.between(-20 * 256, 110 * 256);
+      point.y = random.between(-20 * 256, 100 * 256);
     }
     const auto z = [&] { return static_cast<float>(random.unit()); };
     const float z0 = z();
     const float z1 = z();
-    triangles.push_back(scene_triangle(p, {z0, z1, z()}, random.coordinate(0, 255)));
+    triangles.push_back(scene_triangle(p, {z0, z1, z()}, random.between(0, 255)));
     triangles.back().snapped.id = static_cast<uint32_t>(n);
   }
   return triangles;

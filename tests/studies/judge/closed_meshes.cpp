@@ -11,7 +11,7 @@ using scene::Mesh;
 using scene::PolygonCutter;
 
 void color(Mesh* mesh) {
-  scene::Random random(mesh->position.size());
+  spec::Random random(mesh->position.size());
   mesh->normal.assign(mesh->position.size(), {0, 0, 1});
   for (size_t i = 0; i < mesh->position.size(); ++i) {
     const uint64_t bits = random.bits();
@@ -73,9 +73,9 @@ Mesh torus(uint32_t rows, uint32_t columns, Point point) {
 }
 
 Mesh ring(double spread, uint64_t seed) {
-  scene::Random random(seed);
+  spec::Random random(seed);
   return torus(12, 9, [&](double a, double b) {
-    const double thick = .35 * (1 + static_cast<double>(random.between(0, 1)) * spread);
+    const double thick = .35 * (1 + static_cast<double>(random.uniform(0, 1)) * spread);
     const double radius = .65 + thick * std::cos(b);
     return scene::Vec3{radius * std::cos(a), radius * std::sin(a), thick * std::sin(b)};
   });
@@ -90,9 +90,9 @@ std::vector<ClosedMesh> closed_meshes() {
           {"rough torus", ring(1.5, 2)}};
 }
 
-scene::Camera random_camera(scene::Random* random) {
+scene::Camera random_camera(spec::Random* random) {
   const auto number = [&](float low, float high) {
-    return static_cast<double>(random->between(low, high));
+    return static_cast<double>(random->uniform(low, high));
   };
   scene::Camera camera;
   const double reach = std::exp2(number(-3, 3));

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/scene/camera.h"
-#include "model/scene/random.h"
+#include "model/spec/random.h"
 
 namespace pineda::studies {
 
@@ -19,6 +19,6 @@ struct ClosedMesh {
 std::vector<ClosedMesh> closed_meshes();
 
 /// A camera inside or outside, close to a surface or far from it, 5 to 178 degrees.
-scene::Camera random_camera(scene::Random* random);
+scene::Camera random_camera(spec::Random* random);
 
 }  // namespace pineda::studies

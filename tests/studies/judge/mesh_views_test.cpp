@@ -18,8 +18,8 @@ using scene::operator*;
 using scene::operator+;
 
 /// A concave polygon in any plane, its coordinates cut to so many decimal digits.
-std::vector<scene::Vec3> rounded_star(scene::Random* random, double digits) {
-  const auto number = [&] { return static_cast<double>(random->between(-1, 1)); };
+std::vector<scene::Vec3> rounded_star(spec::Random* random, double digits) {
+  const auto number = [&] { return static_cast<double>(random->uniform(-1, 1)); };
   const scene::Vec3 u = normalized({number(), number(), number()});
   const scene::Vec3 v = normalized(cross(u, {number(), number(), number()}));
   std::vector<scene::Vec3> star;
@@ -32,7 +32,7 @@ std::vector<scene::Vec3> rounded_star(scene::Random* random, double digits) {
 }
 
 TEST(MeshJudge, PolygonsOfRoundedCoordinatesAreStillJudgedAsPolygonsAlsoAlmostFromTheSide) {
-  scene::Random random(7);
+  spec::Random random(7);
   uint64_t fans_seen = 0;
   for (int n = 0; n < 60; ++n) {
     Shot shot = shot_of(polygon_mesh(rounded_star(&random, n % 2 == 0 ? 1e4 : 1e7)), 128, 96);
@@ -93,18 +93,18 @@ int cameras() {
 }
 
 Shot random_shot(uint64_t seed) {
-  scene::Random random(seed);
+  spec::Random random(seed);
   auto meshes = closed_meshes();
   Shot shot = shot_of(std::move(meshes[random.bits() % meshes.size()].mesh), 0, 0);
   shot.camera = random_camera(&random);
-  shot.design.guard_bits = random.in(8, 14);
-  shot.design.subpixel_bits = random.coin() ? 8 : random.in(4, 12);
-  const int widest = random.in(0, 9) == 0 ? 1 << shot.design.guard_bits : 128;
-  shot.frame.width = random.in(1, widest);
-  shot.frame.height =
-      random.in(1, std::min(1 << shot.design.guard_bits, std::max(1, 8192 / shot.frame.width)));
-  shot.frame.cull = static_cast<spec::Cull>(random.in(0, 2));
-  shot.frame.shade = static_cast<spec::Shade>(random.in(0, 1));
+  shot.design.guard_bits = random.between(8, 14);
+  shot.design.subpixel_bits = random.between(0, 1) == 1 ? 8 : random.between(4, 12);
+  const int widest = random.between(0, 9) == 0 ? 1 << shot.design.guard_bits : 128;
+  shot.frame.width = random.between(1, widest);
+  shot.frame.height = random.between(
+      1, std::min(1 << shot.design.guard_bits, std::max(1, 8192 / shot.frame.width)));
+  shot.frame.cull = static_cast<spec::Cull>(random.between(0, 2));
+  shot.frame.shade = static_cast<spec::Shade>(random.between(0, 1));
   return shot;
 }
 

@@ -26,7 +26,7 @@ std::vector<scene::ScreenTriangle> some_triangles(int count) {
       v.x = static_cast<float>(-20 + 120 * random.unit());
       v.y = static_cast<float>(-20 + 110 * random.unit());
       v.z = static_cast<float>(random.unit());
-      for (auto& c : v.rgba) c = static_cast<uint8_t>(random.in(0, 255));
+      for (auto& c : v.rgba) c = static_cast<uint8_t>(random.between(0, 255));
     }
   }
   return triangles;

@@ -56,12 +56,12 @@ TEST(BoundSearch, FindsMoreThanChanceDoes) {
   for (int n = 0; n < kStarts * kSteps; ++n) {
     spec::Triangle t;
     for (auto& v : t.v) {
-      v.x = random.coordinate(-kGuard, kGuard - 1);
-      v.y = random.coordinate(-kGuard, kGuard - 1);
-      v.z = random.in(0, ((int64_t{1} << 24) - 1) << 8);
+      v.x = random.between(-kGuard, kGuard - 1);
+      v.y = random.between(-kGuard, kGuard - 1);
+      v.z = random.between(0, ((int64_t{1} << 24) - 1) << 8);
     }
-    const int x = random.coordinate(0, 16383);
-    const int y = random.coordinate(0, 16383);
+    const int x = random.between(0, 16383);
+    const int y = random.between(0, 16383);
     by_chance = std::max(by_chance, error_before_rounding(c, Value::kDepth, t, x, y));
   }
   EXPECT_GT(by_chance, 0);

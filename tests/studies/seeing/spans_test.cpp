@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "model/spec/random.h"
+
 namespace pineda::test {
 namespace {
 
@@ -100,18 +102,14 @@ TEST(FifoLevels, InsertionAndReleaseInOneCycleChangeNothing) {
 // Random slots of a FIFO of four: the level at each cycle as one counts it slot by slot.
 TEST(FifoLevels, AreThoseOfACountCycleByCycle) {
   constexpr size_t kDepth = 4;
-  uint64_t state = 1;
-  const auto upto = [&state](Cycle most) {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<Cycle>(state >> 33) % (most + 1);
-  };
+  spec::Random random(1);
   std::vector<Slot> slots;
   for (size_t i = 0; i < 500; ++i) {
     const Cycle room = i < kDepth ? 0 : slots[i - kDepth].freed + 1;
     const Cycle after = i == 0 ? 0 : slots[i - 1].inserted + 1;
-    const Cycle inserted = std::max(room, after) + upto(3);
+    const Cycle inserted = std::max(room, after) + random.between(0, 3);
     const Cycle free = i == 0 ? 0 : slots[i - 1].freed + 1;
-    slots.push_back({inserted, std::max(inserted + 1, free) + upto(3)});
+    slots.push_back({inserted, std::max(inserted + 1, free) + random.between(0, 3)});
   }
   std::vector<Level> counted;
   int last = 0;

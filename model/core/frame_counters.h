@@ -1,0 +1,134 @@
+// What is counted of a frame's triangles and samples: the counters, and the one table of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "model/core/setup.h"
+
+namespace pineda::core {
+
+/// What happened to the triangles and samples of a frame; kFrameCounters says what each one counts.
+struct FrameCounters {
+  uint64_t triangles = 0;
+  std::array<uint64_t, kDropCauses> dropped{};  // by Drop
+  uint64_t tiles_tested = 0;
+  uint64_t tiles_rejected = 0;
+  uint64_t tiles_accepted = 0;
+  uint64_t tiles_hidden = 0;
+  uint64_t stamps = 0;
+  uint64_t fragments = 0;
+  uint64_t interpolated = 0;
+  uint64_t passed = 0;
+};
+
+/// Which events in the RTL a counter adds up. The RTL counts events by kind: a tile's test by its
+/// outcome, a stamp by the number of its samples.
+struct RtlKinds {
+  enum class Which : uint8_t { kOne, kAll, kAllButFirst, kByNumber };
+  Which which = Which::kOne;
+  int kind = 0;  // of kOne
+
+  /// How often an event of a kind is added. By number: a stamp of k samples counts k times.
+  constexpr uint64_t times(size_t of) const {
+    if (which == Which::kByNumber) return of;
+    if (which == Which::kOne) return of == static_cast<size_t>(kind) ? 1 : 0;
+    return which == Which::kAll || of > 0 ? 1 : 0;
+  }
+};
+
+/// When a counter is known.
+enum class Known : uint8_t {
+  kAlways,
+  kIfTested,  // where depth tests are made: what they come to
+  kInTime,    // where time is: the functional model leaves it at 0
+};
+
+/// A counter of a frame, as every list, table, file and comparison names it.
+struct FrameCounter {
+  const char* name;
+  const char* json;  // where it stands among the counters in a command's JSON; "": left out there
+  const char* unit;
+  const char* meaning;
+  const char* rtl;  // the array of the RTL's events, as tb/plugin.cpp names it
+  RtlKinds kinds;
+  uint64_t FrameCounters::*member;  // nullptr: dropped[drop]
+  Known known = Known::kAlways;
+  Drop drop = Drop::kNone;
+
+  uint64_t& of(FrameCounters& counters) const {
+    return member != nullptr ? counters.*member : counters.dropped[static_cast<size_t>(drop)];
+  }
+  uint64_t of(const FrameCounters& counters) const {
+    return member != nullptr ? counters.*member : counters.dropped[static_cast<size_t>(drop)];
+  }
+  bool is_drop() const { return member == nullptr; }
+};
+
+namespace counter_rows {
+
+constexpr RtlKinds one(int kind) { return {RtlKinds::Which::kOne, kind}; }
+inline constexpr RtlKinds kAll{RtlKinds::Which::kAll};
+inline constexpr RtlKinds kAllButFirst{RtlKinds::Which::kAllButFirst};
+inline constexpr RtlKinds kByNumber{RtlKinds::Which::kByNumber};
+
+constexpr FrameCounter drop(const char* name, const char* json, const char* meaning, Drop drop) {
+  return {name,    json,           "triangles", meaning, "setup_drops", one(static_cast<int>(drop)),
+          nullptr, Known::kAlways, drop};
+}
+
+// Every counter once, in the order of the pipeline.
+// clang-format off
+inline constexpr FrameCounter kRows[] = {
+    {"triangles", "/triangles", "triangles", "taken by setup",
+     "setup_drops", kAll, &FrameCounters::triangles},
+    drop("dropped.none", "", "set up and sent on", Drop::kNone),
+    drop("dropped.zero_area", "/dropped/zero_area", "without area after snapping",
+         Drop::kZeroArea),
+    drop("dropped.facing", "/dropped/facing", "culled by their facing", Drop::kFacing),
+    drop("dropped.no_sample", "/dropped/no_sample", "in whose box no pixel centre lies",
+         Drop::kNoSample),
+    drop("dropped.outside", "/dropped/outside", "whose box lies outside the frame or the scissor",
+         Drop::kOutside),
+    {"tiles_tested", "/tiles/tested", "tiles", "tested against a triangle's edges",
+     "tiles_tests", kAll, &FrameCounters::tiles_tested},
+    {"tiles_rejected", "/tiles/rejected", "tiles", "rejected by an edge",
+     "tiles_tests", one(2), &FrameCounters::tiles_rejected},
+    {"tiles_accepted", "/tiles/accepted", "tiles", "accepted whole by all three edges",
+     "tiles_tests", one(1), &FrameCounters::tiles_accepted},
+    {"tiles_hidden", "/tiles/hidden", "tiles",
+     "not rejected, but left out by hierarchical z: behind what is stored there",
+     "tiles_tests", one(3), &FrameCounters::tiles_hidden, Known::kInTime},
+    {"stamps", "/stamps", "stamps", "sent by traversal, so not empty",
+     "stamps_sent", kAll, &FrameCounters::stamps},
+    {"fragments", "/fragments", "samples", "covered, in stamps that were sent",
+     "stamps_sent", kByNumber, &FrameCounters::fragments},
+    {"interpolated", "/interpolated", "stamps",
+     "with a sample that passed the depth test, so that attributes are needed",
+     "samples_passed", kAllButFirst, &FrameCounters::interpolated, Known::kIfTested},
+    {"passed", "/passed", "samples", "that passed the depth test, so that they are written",
+     "samples_passed", kByNumber, &FrameCounters::passed, Known::kIfTested},
+};
+// clang-format on
+
+}  // namespace counter_rows
+
+/// The table. Adding a counter: a member, its row here, and the array in the RTL that counts it.
+inline constexpr auto& kFrameCounters = counter_rows::kRows;
+static_assert(sizeof(FrameCounters) == sizeof(uint64_t) * std::size(kFrameCounters),
+              "each counter has a row");
+
+/// What a drop is called in files and JSON: "zero_area", "facing", "no_sample", "outside"; kNone is
+/// "none".
+inline std::string drop_key(Drop drop) {
+  constexpr std::string_view kPrefix = "dropped.";
+  for (const FrameCounter& row : kFrameCounters) {
+    if (row.is_drop() && row.drop == drop) return row.name + kPrefix.size();
+  }
+  return {};
+}
+
+}  // namespace pineda::core

@@ -1,0 +1,55 @@
+// One source of a kernel for several vector units, and which of them this machine has.
+#pragma once
+
+#include <vector>
+
+namespace pineda::fast {
+
+/// What a kernel is compiled for; the bits are the same at every level.
+enum class Level { kBase, kAvx2, kAvx512 };
+
+/// Those that this machine can run, kBase first.
+std::vector<Level> levels();
+
+/// Before start-up is over kBase, then the greatest of levels(), unless a test asks for another.
+/// Not while another thread draws.
+void set_level(Level level);
+
+namespace detail {
+extern Level level;  // of the kernels that are called
+}
+
+/// Vectors cross no call: what takes one is inlined into a kernel.
+#define PINEDA_INLINE inline __attribute__((always_inline))
+#define PINEDA_INLINED __attribute__((always_inline))  // of a lambda
+
+/// PINEDA_KERNEL(RESULT, NAME, (PARAMETERS), (ARGUMENTS)) { ... } defines a function that is
+/// compiled for each level, and called for the machine's: with GCC and clang, under the sanitizers
+/// too.
+#if defined(__x86_64__)
+#define PINEDA_KERNEL(result, name, parameters, arguments)                           \
+  PINEDA_INLINE result name##_body parameters;                                       \
+  static result name##_base parameters { return name##_body arguments; }             \
+  __attribute__((target("arch=x86-64-v3"))) static result name##_avx2 parameters {   \
+    return name##_body arguments;                                                    \
+  }                                                                                  \
+  __attribute__((target("arch=x86-64-v4"))) static result name##_avx512 parameters { \
+    return name##_body arguments;                                                    \
+  }                                                                                  \
+  result name parameters {                                                           \
+    switch (::pineda::fast::detail::level) {                                         \
+      case ::pineda::fast::Level::kAvx512:                                           \
+        return name##_avx512 arguments;                                              \
+      case ::pineda::fast::Level::kAvx2:                                             \
+        return name##_avx2 arguments;                                                \
+      case ::pineda::fast::Level::kBase:                                             \
+        break;                                                                       \
+    }                                                                                \
+    return name##_base arguments;                                                    \
+  }                                                                                  \
+  PINEDA_INLINE result name##_body parameters
+#else
+#define PINEDA_KERNEL(result, name, parameters, arguments) result name parameters
+#endif
+
+}  // namespace pineda::fast

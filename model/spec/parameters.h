@@ -1,0 +1,172 @@
+// The parameters of a design, one row each. Design files, ranges and their errors, `pineda
+// designs`, differences of two designs, and docs/designs.md read this table: a new parameter is a
+// member of Design and a row here.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <variant>
+
+#include "model/spec/design.h"
+
+namespace pineda::spec {
+
+/// An end of a range: a number, or what the design's other parameters allow.
+struct Limit {
+  int number;
+  int (*of_design)(const Design&) = nullptr;
+  const char* text = "";  // of of_design, by the keys of a file
+
+  constexpr int operator()(const Design& d) const { return of_design ? of_design(d) : number; }
+};
+
+/// A whole number from `low` to `high`, both in the member's unit.
+struct Number {
+  int Design::*member;
+  Limit low;
+  Limit high;
+  bool is_log2 = false;  // a file says 2^member
+};
+
+/// Where a parameter lies, and of which kind it is.
+using Member =
+    std::variant<Number, bool Design::*, ReciprocalScheme Design::*, SetupStyle Design::*>;
+
+struct Parameter {
+  const char* key;  // in a design file
+  Member member;
+  /// Of a design that does not use it, a number may hold anything: nobody looks at it.
+  bool (*used)(const Design&);
+  const char* unit;  // of the key's value
+  const char* meaning;
+  /// Ranges are looked at in rounds of rising number, in each from the first row to the last. So
+  /// what other ranges depend on comes before them.
+  int round = 0;
+  /// `pineda designs` prints it; if null, of the designs that use it.
+  bool (*listed)(const Design&) = nullptr;
+};
+
+/// Who has a parameter.
+namespace having {
+constexpr bool anything(const Design&) { return true; }
+constexpr bool depth(const Design& d) { return d.depth_test; }
+constexpr bool perspective(const Design& d) { return d.perspective; }
+constexpr bool reciprocal(const Design& d) { return has_reciprocal(d); }
+constexpr bool reciprocal_or_remainders(const Design& d) {
+  return has_reciprocal(d) || d.reciprocal_scheme == ReciprocalScheme::kNone;
+}
+constexpr bool rom(const Design& d) { return has_rom(d); }
+constexpr bool newton(const Design& d) { return d.reciprocal_scheme == ReciprocalScheme::kNewton; }
+constexpr bool hierarchical_z(const Design& d) { return d.hierarchical_z; }
+}  // namespace having
+
+/// Greatest values that depend on others.
+namespace most {
+constexpr int flat_attributes(const Design& d) { return kMaxAttributes - d.attributes; }
+constexpr int tile_fraction_bits(const Design& d) { return d.gradient_fraction_bits; }
+constexpr int tile_log2(const Design& d) { return std::min(6, d.guard_bits - 1); }
+constexpr int depth_latency_cycles(const Design& d) { return d.max_depth_latency_cycles; }
+}  // namespace most
+
+/// In the order of a design file.
+inline constexpr Parameter kParameters[] = {
+    {"reciprocal_scheme", &Design::reciprocal_scheme, having::anything, "",
+     "how the reciprocal of the doubled area is found; `none` is the exact functional model", 0,
+     having::reciprocal_or_remainders},
+    {"setup_style", &Design::setup_style, having::anything, "",
+     "some ten cycles a triangle; a triangle a cycle; one multiplier"},
+    {"depth_test", &Design::depth_test, having::anything, "",
+     "false: no depth port, no table of stamps in flight, no queue"},
+    {"perspective", &Design::perspective, having::anything, "", "attributes are corrected by 1/w"},
+    {"hierarchical_z", &Design::hierarchical_z, having::anything, "",
+     "a tile behind everything stored there is not walked: see below", 0, having::depth},
+    {"subpixel_bits", Number{&Design::subpixel_bits, {4}, {12}}, having::anything, "bits",
+     "S: positions are multiples of 2^-S px"},
+    {"guard_bits", Number{&Design::guard_bits, {4}, {14}}, having::anything, "bits",
+     "vertices and frames lie within 2^n px; beyond it vertices saturate and are counted"},
+    {"depth_bits", Number{&Design::depth_bits, {16}, {32}}, having::depth, "bits", "a depth code"},
+    {"attributes", Number{&Design::attributes, {0}, {kMaxAttributes}}, having::anything, "",
+     "interpolated; they come first"},
+    {"flat_attributes",
+     Number{&Design::flat_attributes, {0}, {0, most::flat_attributes, "16 - `attributes`"}},
+     having::anything, "", "those of a triangle's first vertex"},
+    {"attribute_bits", Number{&Design::attribute_bits, {1}, {16}}, having::anything, "bits",
+     "each attribute"},
+    {"inverse_w_bits", Number{&Design::inverse_w_bits, {8}, {24}}, having::perspective, "bits",
+     "mantissa of a vertex's 1/w"},
+    {"reciprocal_lut_bits", Number{&Design::reciprocal_lut_bits, {4}, {12}}, having::rom, "bits",
+     "index of the ROM: `newton`, `quadratic`", 0, having::reciprocal},
+    {"reciprocal_newton_steps", Number{&Design::reciprocal_newton_steps, {0}, {2}}, having::newton,
+     "", "steps behind the ROM: `newton`", 0, having::reciprocal},
+    {"reciprocal_bits", Number{&Design::reciprocal_bits, {12}, {32}}, having::reciprocal, "bits",
+     "k: mantissa of the reciprocal"},
+    {"gradient_fraction_bits", Number{&Design::gradient_fraction_bits, {8}, {20}},
+     having::reciprocal, "bits", "F: gradients and references"},
+    {"tile_fraction_bits",
+     Number{&Design::tile_fraction_bits,
+            {1},
+            {0, most::tile_fraction_bits, "`gradient_fraction_bits`"}},
+     having::reciprocal, "bits", "F': the same inside a tile"},
+    {"tile_px",
+     Number{&Design::tile_log2, {2}, {0, most::tile_log2, "64, and below 2^`guard_bits`"}, true},
+     having::anything, "px", "side of a tile, tested in one cycle"},
+    {"stamp_width_px", Number{&Design::stamp_width_log2, {0}, {2}, true}, having::anything, "px",
+     "columns of samples in one cycle", 1},
+    {"stamp_height_px", Number{&Design::stamp_height_log2, {0}, {2}, true}, having::anything, "px",
+     "rows of samples in one cycle", 1},
+    {"hierarchical_z_bits", Number{&Design::hierarchical_z_bits, {4}, {16}}, having::hierarchical_z,
+     "bits", "of a depth, the top ones"},
+    {"hierarchical_z_tiles", Number{&Design::hierarchical_z_tiles, {1}, {1 << 20}},
+     having::hierarchical_z, "tiles", "of a frame, row by row, the first ones"},
+    {"hierarchical_z_delay_cycles", Number{&Design::hierarchical_z_delay_cycles, {1}, {64}},
+     having::hierarchical_z, "cycles", "from a depth write to the first test that sees it"},
+    {"prim_fifo_depth", Number{&Design::prim_fifo_depth, {1}, {1024}}, having::anything, "",
+     "triangles between setup and tile test"},
+    {"tile_fifo_depth", Number{&Design::tile_fifo_depth, {1}, {1024}}, having::anything, "",
+     "tiles between tile test and stamp test"},
+    {"stamp_fifo_depth", Number{&Design::stamp_fifo_depth, {1}, {1024}}, having::anything, "",
+     "stamps between stamp test and interpolation"},
+    {"depth_latency_cycles",
+     Number{&Design::depth_latency_cycles,
+            {1},
+            {0, most::depth_latency_cycles, "`max_depth_latency_cycles`"}},
+     having::anything, "cycles", "the depth memory's, by default", 2, having::depth},
+    {"max_depth_latency_cycles", Number{&Design::max_depth_latency_cycles, {1}, {1024}},
+     having::anything, "cycles",
+     "sizes the table of stamps in flight, for a stamp a cycle at that latency", 1, having::depth},
+};
+
+/// The row of a key or of a number's member.
+/// Errors   std::out_of_range: there is none.
+const Parameter& parameter(const std::string& key);
+const Parameter& parameter(int Design::*member);
+
+/// Does `pineda designs` print it?
+bool is_listed(const Parameter& parameter, const Design& design);
+
+/// The value that a file has, in the key's unit; an enumeration's word.
+std::variant<bool, int, std::string> value_of(const Parameter& parameter, const Design& design);
+
+/// The same as a file writes it.
+std::string file_value(const Parameter& parameter, const Design& design);
+
+/// "4 to 64", of a switch "true, false", of an enumeration its words: for people.
+std::string range_text(const Parameter& parameter);
+
+/// Empty, or the first used number beyond its range, by its key and in the key's unit:
+/// "tile_px is 128, must be 4 to 64".
+std::string range_reason(const Design& design);
+
+/// The same design, its unused numbers cut to what arithmetic can bear: from 0 to their greatest
+/// value. Everything that takes a Contract has such a design.
+constexpr Design tamed(Design d) {
+  for (const Parameter& p : kParameters) {
+    const auto* number = std::get_if<Number>(&p.member);
+    if (number == nullptr || p.used(d)) continue;
+    int& value = d.*number->member;
+    value = std::clamp(value, 0, std::max(number->high(d), 0));
+  }
+  return d;
+}
+
+}  // namespace pineda::spec

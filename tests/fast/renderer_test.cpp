@@ -1,0 +1,156 @@
+// Whole tiles at a time: the same bits and counts as stamp by stamp.
+#include "model/fast/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/spec/random.h"
+#include "tests/fast/levels.h"
+
+namespace pineda::fast {
+namespace {
+
+using test::for_each_level;
+
+using spec::Random;
+
+spec::FrameState random_frame(Random* r) {
+  spec::FrameState frame;
+  frame.width = r->between(1, 90);
+  frame.height = r->between(1, 70);
+  frame.cull = static_cast<spec::Cull>(r->between(0, 2));
+  frame.depth = static_cast<spec::DepthFunc>(r->between(0, 8));
+  frame.depth_write = r->between(0, 3) != 0;
+  frame.shade = static_cast<spec::Shade>(r->between(0, 1));
+  if (r->between(0, 2) == 0) {
+    frame.scissor_x0 = r->between(0, 30);
+    frame.scissor_y0 = r->between(0, 30);
+    frame.scissor_x1 = r->between(20, 90);
+    frame.scissor_y1 = r->between(20, 90);
+  }
+  if (r->between(0, 2) == 0) {
+    frame.bias_constant = r->between(-3000, 3000);
+    frame.bias_slope = static_cast<int32_t>(r->between(-2000, 2000));
+  }
+  if (r->between(0, 2) == 0) frame.clear_depth = static_cast<double>(r->between(0, 8)) / 8;
+  return frame;
+}
+
+// From needles that wrap their gradients to triangles over the whole guard band.
+spec::Triangle random_triangle(const spec::Contract& c, const spec::FrameState& frame, Random* r) {
+  const spec::Design& d = c.design;
+  const int px = 1 << d.subpixel_bits;
+  const int64_t limit = int64_t{1} << (d.guard_bits + d.subpixel_bits);
+  const int64_t reach = r->between(0, 3) == 0 ? limit : r->between(1, 40 * px);
+  const int64_t x = r->between(0, frame.width * px);
+  const int64_t y = r->between(0, frame.height * px);
+  spec::Triangle t;
+  for (auto& v : t.v) {
+    const int64_t from_x = r->between(-reach, reach);
+    const int64_t from_y = r->between(-reach, reach);
+    v.x = static_cast<int32_t>(std::clamp<int64_t>(x + from_x, -limit, limit - 1));
+    v.y = static_cast<int32_t>(std::clamp<int64_t>(y + from_y, -limit, limit - 1));
+    v.z = r->between(0, ((int64_t{1} << d.depth_bits) - 1) << 8);
+    for (auto& a : v.attr) a = static_cast<int32_t>(r->between(0, (1 << d.attribute_bits) - 1));
+    v.inverse_w =
+        static_cast<int32_t>(r->between(1 << (d.inverse_w_bits - 1), (1 << d.inverse_w_bits) - 1));
+    v.inverse_w_shift = static_cast<int32_t>(r->between(0, 9));
+  }
+  t.v[0].inverse_w_shift = 0;
+  return t;
+}
+
+// What differs between stamps of one design and tiles of the other.
+std::string compare(const spec::Contract& c, const spec::Contract& of_tiles, uint64_t seed,
+                    uint64_t* drawn) {
+  Random random(seed);
+  const spec::FrameState frame = random_frame(&random);
+  core::Renderer stamps(c, frame);
+  fast::Renderer tiles(of_tiles, frame);
+  for (int i = 0; i < 40; ++i) {
+    const spec::Triangle t = random_triangle(c, frame, &random);
+    stamps.draw(t);
+    tiles.draw(t);
+  }
+  const core::FrameCounters& a = stamps.counters();
+  const core::FrameCounters& b = tiles.counters();
+  *drawn += a.passed;
+  for (const core::FrameCounter& row : core::kFrameCounters) {
+    if (row.of(a) != row.of(b)) return row.name;
+  }
+  const core::FrameBuffer drawn_by_tiles = tiles.buffer();
+  if (stamps.buffer().hits != drawn_by_tiles.hits) return "hits";
+  if (stamps.buffer().depth != drawn_by_tiles.depth) return "depth";
+  if (stamps.buffer().color != drawn_by_tiles.color) return "colour";
+  return {};
+}
+
+class WholeTiles : public testing::TestWithParam<std::string> {};
+
+TEST_P(WholeTiles, EqualStampByStamp) {
+  const auto c = spec::contract(*spec::find_design(GetParam()));
+  for_each_level([&] {
+    uint64_t drawn = 0;
+    for (uint64_t seed = 0; seed < 60; ++seed) {
+      ASSERT_EQ(compare(c, c, seed, &drawn), "") << "seed " << seed;
+    }
+    EXPECT_GT(drawn, 10000u);
+  });
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const spec::Design& d : spec::designs()) all.push_back(d.name);
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Designs, WholeTiles, testing::ValuesIn(names()),
+                         [](const auto& p) { return p.param; });
+
+// Formats at the ends of their ranges: codes of 32 bits, planes that need 64-bit lanes, stamps and
+// tiles of every shape.
+TEST(WholeTiles, EqualStampByStampInRandomDesigns) {
+  for_each_level([] {
+    Random random(5);
+    uint64_t drawn = 0;
+    int valid = 0;
+    for (int i = 0; i < 400 && valid < 120; ++i) {
+      spec::Design d;
+      d.subpixel_bits = random.between(4, 12);
+      d.guard_bits = random.between(7, 14);
+      d.depth_test = random.between(0, 9) != 0;
+      d.depth_bits = random.between(16, 32);
+      d.attributes = random.between(0, 6);
+      d.flat_attributes = random.between(0, 2);
+      d.attribute_bits = random.between(1, 16);
+      d.perspective = random.between(0, 4) == 0;
+      d.gradient_fraction_bits = random.between(8, 20);
+      d.tile_fraction_bits = random.between(1, d.gradient_fraction_bits);
+      d.tile_log2 = random.between(2, 6);
+      d.stamp_width_log2 = random.between(0, 2);
+      d.stamp_height_log2 = random.between(0, 2);
+      if (!spec::invalid_reason(d).empty()) continue;
+      ++valid;
+      const auto seed = static_cast<uint64_t>(i);
+      ASSERT_EQ(compare(spec::contract(d), spec::contract(d), seed, &drawn), "")
+          << "design " << i << ": " << d.subpixel_bits << " " << d.guard_bits << " depth "
+          << d.depth_test << " " << d.depth_bits << " attr " << d.attributes << " "
+          << d.flat_attributes << " " << d.attribute_bits << " persp " << d.perspective << " F "
+          << d.gradient_fraction_bits << " " << d.tile_fraction_bits << " tile " << d.tile_log2
+          << " " << d.stamp_width_log2 << " " << d.stamp_height_log2;
+    }
+    EXPECT_EQ(valid, 120);
+    EXPECT_GT(drawn, 10000u);
+  });
+}
+
+// Tiles whose planes keep a fraction bit less than those of the stamps.
+TEST(WholeTiles, MutantThatCutsAFractionBitIsSeen) {
+  spec::Design cut = spec::kHighTile;
+  --cut.tile_fraction_bits;
+  uint64_t drawn = 0;
+  EXPECT_NE(compare(spec::contract(spec::kHighTile), spec::contract(cut), 1, &drawn), "");
+}
+
+}  // namespace
+}  // namespace pineda::fast

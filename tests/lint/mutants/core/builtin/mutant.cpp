@@ -1,0 +1,1 @@
+int bits(unsigned value) { return __builtin_popcount(value); }

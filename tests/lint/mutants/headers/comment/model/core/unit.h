@@ -1,0 +1,7 @@
+/// A unit.
+///
+/// Bits     the definition.
+/// Twin     rtl/unit.sv.
+void setup();
+class TileWalk;
+// StampWalk went away.

@@ -1,0 +1,6 @@
+// A unit.
+//
+// Bits     StampWalk defines them.
+// Twin     model/core/unit.h.
+module unit;
+endmodule

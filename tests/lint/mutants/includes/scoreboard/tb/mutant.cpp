@@ -1,0 +1,2 @@
+// What judges compares with core.
+#include "model/fast/renderer.h"
