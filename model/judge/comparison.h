@@ -54,8 +54,9 @@ struct Verdict {
   bool holds() const { return missing == 0 && extra == 0 && beyond == 0; }
 };
 
-/// The bounds of one triangle's depths and interpolated attributes: the design's, that of depth with
-/// what a bias adds to it; a flat attribute must be right. `depth_slope` as ScreenTruth has it.
+/// The bounds of one triangle's depths and interpolated attributes: the design's, that of depth
+/// with what a bias adds to it; a flat attribute must be right. `depth_slope` as ScreenTruth has
+/// it.
 spec::ErrorBounds triangle_bounds(const spec::Design& design, const spec::FrameState& frame,
                                   double depth_slope);
 
@@ -90,8 +91,9 @@ class Comparison {
   Seen seen_;
 };
 
-/// The same for samples that come by rows of tiles, from the floats of a scene on: in memory for the
-/// exact samples of one row of tiles. A sample of a row of tiles that has gone by is one too many.
+/// The same for samples that come by rows of tiles, from the floats of a scene on: in memory for
+/// the exact samples of one row of tiles. A sample of a row of tiles that has gone by is one too
+/// many.
 class TileRowComparison {
  public:
   TileRowComparison(const Values& values, int tile_log2, Verdict* to)

@@ -40,8 +40,9 @@ struct Errors {
 /// Calls visit(x, y, lane) for each covered sample of a stamp.
 template <class Visit>
 void for_each_lane(const spec::Design& d, const spec::Stamp& stamp, Visit&& visit) {
-  for (uint32_t mask = stamp.mask; mask != 0; mask &= mask - 1) {
-    const int lane = __builtin_ctz(mask);
+  int lane = 0;
+  for (uint32_t mask = stamp.mask; mask != 0; mask >>= 1, ++lane) {
+    if ((mask & 1) == 0) continue;
     visit((stamp.x << d.stamp_width_log2) + (lane & ((1 << d.stamp_width_log2) - 1)),
           (stamp.y << d.stamp_height_log2) + (lane >> d.stamp_width_log2),
           static_cast<size_t>(lane));

@@ -1,4 +1,5 @@
-// The comparison that every judge makes: the nearest codes hold, and each fault is seen where it is.
+// The comparison that every judge makes: the nearest codes hold, and each fault is seen where it
+// is.
 #include <gtest/gtest.h>
 
 #include <algorithm>
