@@ -203,12 +203,6 @@ PINEDA_INLINE void set_up_values(const Contract& c, const FrameState& frame, con
 
 }  // namespace
 
-const char* drop_name(Drop drop) {
-  static constexpr const char* kNames[kDropCauses] = {"", "zero area", "facing", "no sample",
-                                                      "outside"};
-  return kNames[static_cast<int>(drop)];
-}
-
 PINEDA_CLONES Drop setup(const Contract& c, const FrameState& frame, const Triangle& triangle,
                          SetupPrim* out, Planes planes) {
   SetupPrim& prim = *out;

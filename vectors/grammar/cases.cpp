@@ -1,20 +1,6 @@
 #include "vectors/grammar/cases.h"
 
 namespace pineda::vectors {
-namespace {
-
-constexpr const char* kUnitNames[] = {"setup", "traversal", "interp_ztest", "frame"};
-
-}  // namespace
-
-const char* unit_name(Unit unit) { return kUnitNames[static_cast<int>(unit)]; }
-
-std::optional<Unit> find_unit(const std::string& name) {
-  for (int i = 0; i < 4; ++i) {
-    if (name == kUnitNames[i]) return static_cast<Unit>(i);
-  }
-  return std::nullopt;
-}
 
 const std::vector<Counter>& counters() {
 #define PINEDA_COUNTER(label, member)                                    \
