@@ -154,18 +154,18 @@ void add_scene_options(CLI::App* command, Options* o) {
 }
 
 void add_time_options(CLI::App* command, Options* o) {
-  command
-      ->add_option("--memory", o->memory,
-                   "ideal, dram (behind caches) or dram_merged (depth and colour on one channel)")
-      ->check(CLI::IsMember({"ideal", "dram", "dram_merged"}))
+  command->add_option("--memory", o->memory, memory::kinds_text())
+      ->check(CLI::IsMember(spec::word_list<memory::Kind>()))
       ->type_name("KIND")
       ->capture_default_str();
   command
       ->add_option("--latency", o->latency_cycles,
                    "Ideal memory: cycles from a depth read to its data, 1 to 64")
       ->type_name("N");
-  command->add_option("--stall", o->stall, "Who stalls at the ports: none, source, sink or both")
-      ->check(CLI::IsMember({"none", "source", "sink", "both"}))
+  command
+      ->add_option("--stall", o->stall,
+                   "Who stalls at the ports: " + spec::alternatives<memory::StallMode>())
+      ->check(CLI::IsMember(spec::word_list<memory::StallMode>()))
       ->type_name("MODE")
       ->capture_default_str();
 }
@@ -249,23 +249,20 @@ int latency_of(const Options& o, const spec::Contract& contract) {
 }
 
 memory::Kind memory_kind_of(const Options& o) {
-  const auto kind = memory::kind_named(o.memory).value_or(memory::Kind::kIdeal);
-  if (kind != memory::Kind::kIdeal && o.latency_cycles) {
+  const auto kind = spec::named<memory::Kind>(o.memory).value_or(memory::Kind::kIdeal);
+  if (!spec::row_of(kind).has_latency && o.latency_cycles) {
     throw UsageError("--latency: only an ideal memory has one, not " + o.memory);
   }
   return kind;
 }
 
 std::string memory_text(const Options& o, const spec::Contract& contract) {
-  if (memory_kind_of(o) != memory::Kind::kIdeal) return "memory " + o.memory;
+  if (!spec::row_of(memory_kind_of(o)).has_latency) return "memory " + o.memory;
   return fmt::format("depth latency {} cycles", latency_of(o, contract));
 }
 
 memory::StallMode stall_mode_of(const Options& o) {
-  using memory::StallMode;
-  if (o.stall == "source") return StallMode::kSource;
-  if (o.stall == "sink") return StallMode::kSink;
-  return o.stall == "both" ? StallMode::kBoth : StallMode::kNone;
+  return spec::named<memory::StallMode>(o.stall).value_or(memory::StallMode::kNone);
 }
 
 }  // namespace pineda::cli

@@ -48,9 +48,9 @@ struct Options {
   std::optional<int> camera;  // of the file
 
   // Time
-  std::string memory = memory::kind_name(memory::Kind::kIdeal);
+  std::string memory = spec::name_of(memory::Kind::kIdeal);
   std::optional<int> latency_cycles;
-  std::string stall = "none";
+  std::string stall = spec::name_of(memory::StallMode::kNone);
 };
 
 /// Adds --json and --quiet.

@@ -125,7 +125,7 @@ Json input_json(const scene::Counters& c) {
 Json counters_json(const core::FrameCounters& c, bool depth_tests) {
   Json json;
   for (const core::FrameCounter& row : core::kFrameCounters) {
-    const std::string place = row.json;
+    const std::string place = row.json();
     if (place.empty() || (row.known == core::Known::kIfTested && !depth_tests)) continue;
     json[Json::json_pointer(place)] = row.of(c);
   }

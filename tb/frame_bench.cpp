@@ -1,5 +1,7 @@
 #include "tb/frame_bench.h"
 
+#include "model/memory/ideal_timing.h"
+
 namespace pineda::tb {
 
 struct FrameBench::Progress {

@@ -14,8 +14,8 @@ constexpr const char* kBunny = "bunny";
 constexpr int kBunnyGuardBits = 11;  // 2^11 px, for 1920x1080
 constexpr const char* kDefaultScenes[] = {"bunny", "teapot", "random/px1", "random/px1000",
                                           "random/screen"};
-constexpr const char* kStallNames[] = {"none", "source", "sink", "both"};
-constexpr const char* kMemoryNames[] = {"ideal", "dram", "dram_merged"};
+constexpr const char* kNoStalls = spec::name_of(memory::StallMode::kNone);
+constexpr const char* kIdeal = spec::name_of(memory::Kind::kIdeal);
 constexpr int kLatencies[] = {1, 8, 64};
 
 struct CyclesOptions : Options {
@@ -31,11 +31,6 @@ struct CyclesOptions : Options {
   bool one_by_one = false;  // memories without stalls, then stalls at the ordinary memory
 };
 
-template <size_t N>
-std::vector<std::string> list(const char* const (&names)[N]) {
-  return {std::begin(names), std::end(names)};
-}
-
 /// What is asked for: the default table unless the options say otherwise.
 CyclesOptions filled_in(CyclesOptions o) {
   if (o.designs.empty() && o.all) {
@@ -45,9 +40,10 @@ CyclesOptions filled_in(CyclesOptions o) {
   }
   if (o.designs.empty()) o.designs = {"high_tile"};
   o.one_by_one = o.all && o.memories.empty() && o.latencies.empty() && o.stalls.empty();
-  if (o.stalls.empty()) o.stalls = o.all ? list(kStallNames) : std::vector<std::string>{"none"};
+  if (o.stalls.empty())
+    o.stalls = o.all ? spec::word_list<memory::StallMode>() : std::vector<std::string>{kNoStalls};
   if (o.memories.empty()) {
-    o.memories = o.all ? list(kMemoryNames) : std::vector<std::string>{kMemoryNames[0]};
+    o.memories = o.all ? spec::word_list<memory::Kind>() : std::vector<std::string>{kIdeal};
   }
   if (o.compilers.empty()) o.compilers = tb::bench_compilers();
   return o;
@@ -97,16 +93,16 @@ std::vector<Part> parts_of(const CyclesOptions& o, const spec::Design& design) {
   std::vector<Part> parts;
   for (const std::string& memory : o.memories) {
     std::vector<std::optional<int>> latencies{std::nullopt};
-    if (memory == kMemoryNames[0]) latencies = latencies_of(o, design);
+    if (memory == kIdeal) latencies = latencies_of(o, design);
     for (const auto& latency : latencies) {
       for (const std::string& stall : o.stalls) {
-        if (!o.one_by_one || stall == kStallNames[0]) parts.push_back({memory, latency, stall});
+        if (!o.one_by_one || stall == kNoStalls) parts.push_back({memory, latency, stall});
       }
     }
   }
   if (!o.one_by_one) return parts;
   for (const std::string& stall : o.stalls) {
-    if (stall != kStallNames[0]) parts.push_back({kMemoryNames[0], std::nullopt, stall});
+    if (stall != kNoStalls) parts.push_back({kIdeal, std::nullopt, stall});
   }
   return parts;
 }
@@ -197,7 +193,7 @@ std::string verdict(const CycleWorst& all) {
 
 int run(const CyclesOptions& given) {
   if (!given.latencies.empty() && !given.memories.empty() &&
-      std::count(given.memories.begin(), given.memories.end(), kMemoryNames[0]) == 0) {
+      std::count(given.memories.begin(), given.memories.end(), kIdeal) == 0) {
     throw UsageError("--latency: only an ideal memory has one");
   }
   const CyclesOptions options = filled_in(given);
@@ -243,18 +239,20 @@ void add_cycles_study(CLI::App* study, int* exit_code) {
   command->add_option("--designs", options->designs, "Design points, high_tile unless given")
       ->delimiter(',')
       ->type_name("NAME|FILE.toml");
-  command->add_option("--memory", options->memories, "ideal, dram or dram_merged")
+  command->add_option("--memory", options->memories, spec::alternatives<memory::Kind>())
       ->delimiter(',')
-      ->check(CLI::IsMember(list(kMemoryNames)))
+      ->check(CLI::IsMember(spec::word_list<memory::Kind>()))
       ->type_name("KIND");
   command
       ->add_option("--latency", options->latencies,
                    "Ideal memory: cycles from a depth read to its data")
       ->delimiter(',')
       ->type_name("N");
-  command->add_option("--stall", options->stalls, "Who stalls: none, source, sink or both")
+  command
+      ->add_option("--stall", options->stalls,
+                   "Who stalls: " + spec::alternatives<memory::StallMode>())
       ->delimiter(',')
-      ->check(CLI::IsMember(list(kStallNames)))
+      ->check(CLI::IsMember(spec::word_list<memory::StallMode>()))
       ->type_name("MODE");
   command->add_flag(
       "--all", options->all,

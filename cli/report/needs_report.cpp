@@ -56,7 +56,7 @@ void print_use(const Output& output, const studies::SceneUse& use) {
 Json use_json(const studies::SceneUse& use) {
   Json json{{"triangles", use.triangles}};
   for (size_t i = 1; i < use.dropped.size(); ++i) {
-    json["dropped"][core::drop_key(static_cast<core::Drop>(i))] = use.dropped[i];
+    json["dropped"][spec::name_of(static_cast<core::Drop>(i))] = use.dropped[i];
   }
   json["x_px"] = {use.x_low_px, use.x_high_px};
   json["y_px"] = {use.y_low_px, use.y_high_px};

@@ -19,7 +19,8 @@ struct CycleRow {
   studies::CyclePoint point;
 
   bool holds() const {
-    return point.holds(memory != memory::kind_name(memory::Kind::kIdeal) || stall != "none");
+    return point.holds(memory != spec::name_of(memory::Kind::kIdeal) ||
+                       stall != spec::name_of(memory::StallMode::kNone));
   }
 
   double rtl_speed() const { return speed(point.fastest() ? point.fastest()->seconds : 0); }

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <iterator>
 #include <string>
-#include <string_view>
 
 #include "model/core/setup.h"
 
@@ -50,7 +49,7 @@ enum class Known : uint8_t {
 /// A counter of a frame, as every list, table, file and comparison names it.
 struct FrameCounter {
   const char* name;
-  const char* json;  // where it stands among the counters in a command's JSON; "": left out there
+  const char* place;  // among the counters in a command's JSON; of drops nullptr: json() has it
   const char* unit;
   const char* meaning;
   const char* rtl;  // the array of the RTL's events, as tb/plugin.cpp names it
@@ -65,7 +64,16 @@ struct FrameCounter {
   uint64_t of(const FrameCounters& counters) const {
     return member != nullptr ? counters.*member : counters.dropped[static_cast<size_t>(drop)];
   }
-  bool is_drop() const { return member == nullptr; }
+  constexpr bool is_drop() const { return member == nullptr; }
+  /// "tiles_tested", "dropped.zero_area".
+  std::string full_name() const {
+    return is_drop() && drop != Drop::kNone ? std::string("dropped.") + name : name;
+  }
+  /// "/tiles/tested", "/dropped/zero_area"; empty where the JSON leaves it out.
+  std::string json() const {
+    if (!is_drop()) return place;
+    return drop != Drop::kNone ? std::string("/dropped/") + name : std::string();
+  }
 };
 
 namespace counter_rows {
@@ -75,9 +83,9 @@ inline constexpr RtlKinds kAll{RtlKinds::Which::kAll};
 inline constexpr RtlKinds kAllButFirst{RtlKinds::Which::kAllButFirst};
 inline constexpr RtlKinds kByNumber{RtlKinds::Which::kByNumber};
 
-constexpr FrameCounter drop(const char* name, const char* json, const char* meaning, Drop drop) {
-  return {name,    json,           "triangles", meaning, "setup_drops", one(static_cast<int>(drop)),
-          nullptr, Known::kAlways, drop};
+constexpr FrameCounter drop(Drop drop, const char* meaning) {
+  return {spec::name_of(drop),         nullptr, "triangles",    meaning, "setup_drops",
+          one(static_cast<int>(drop)), nullptr, Known::kAlways, drop};
 }
 
 // Every counter once, in the order of the pipeline.
@@ -85,14 +93,11 @@ constexpr FrameCounter drop(const char* name, const char* json, const char* mean
 inline constexpr FrameCounter kRows[] = {
     {"triangles", "/triangles", "triangles", "taken by setup",
      "setup_drops", kAll, &FrameCounters::triangles},
-    drop("dropped.none", "", "set up and sent on", Drop::kNone),
-    drop("dropped.zero_area", "/dropped/zero_area", "without area after snapping",
-         Drop::kZeroArea),
-    drop("dropped.facing", "/dropped/facing", "culled by their facing", Drop::kFacing),
-    drop("dropped.no_sample", "/dropped/no_sample", "in whose box no pixel centre lies",
-         Drop::kNoSample),
-    drop("dropped.outside", "/dropped/outside", "whose box lies outside the frame or the scissor",
-         Drop::kOutside),
+    drop(Drop::kNone, "set up and sent on"),
+    drop(Drop::kZeroArea, "without area after snapping"),
+    drop(Drop::kFacing, "culled by their facing"),
+    drop(Drop::kNoSample, "in whose box no pixel centre lies"),
+    drop(Drop::kOutside, "whose box lies outside the frame or the scissor"),
     {"tiles_tested", "/tiles/tested", "tiles", "tested against a triangle's edges",
      "tiles_tests", kAll, &FrameCounters::tiles_tested},
     {"tiles_rejected", "/tiles/rejected", "tiles", "rejected by an edge",
@@ -120,15 +125,5 @@ inline constexpr FrameCounter kRows[] = {
 inline constexpr auto& kFrameCounters = counter_rows::kRows;
 static_assert(sizeof(FrameCounters) == sizeof(uint64_t) * std::size(kFrameCounters),
               "each counter has a row");
-
-/// What a drop is called in files and JSON: "zero_area", "facing", "no_sample", "outside"; kNone is
-/// "none".
-inline std::string drop_key(Drop drop) {
-  constexpr std::string_view kPrefix = "dropped.";
-  for (const FrameCounter& row : kFrameCounters) {
-    if (row.is_drop() && row.drop == drop) return row.name + kPrefix.size();
-  }
-  return {};
-}
 
 }  // namespace pineda::core

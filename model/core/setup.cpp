@@ -114,12 +114,6 @@ void set_up_values(const Contract& c, const FrameState& frame, const Triangle& t
 
 }  // namespace
 
-const char* drop_name(Drop drop) {
-  static constexpr const char* kNames[kDropCauses] = {"", "zero area", "facing", "no sample",
-                                                      "outside"};
-  return kNames[static_cast<int>(drop)];
-}
-
 Drop setup(const Contract& c, const FrameState& frame, const Triangle& t, SetupPrim* out) {
   const int64_t area2 = doubled_area(t);
   if (area2 == 0) return Drop::kZeroArea;

@@ -1,6 +1,8 @@
 // Triangle setup: one snapped triangle in, three edge functions and the planes out.
 #pragma once
 
+#include <iterator>
+
 #include "model/spec/structs.h"
 
 namespace pineda::core {
@@ -13,10 +15,24 @@ enum class Drop : uint8_t {
   kNoSample,  // its box holds no pixel centre
   kOutside,   // its box lies outside the frame or the scissor
 };
-inline constexpr int kDropCauses = 5;
+
+struct DropName {
+  Drop value;
+  const char* word;
+  const char* spoken;
+};
+inline constexpr DropName kDropNames[] = {
+    {Drop::kNone, "kept", ""},
+    {Drop::kZeroArea, "zero_area", "zero area"},
+    {Drop::kFacing, "facing", "facing"},
+    {Drop::kNoSample, "no_sample", "no sample"},
+    {Drop::kOutside, "outside", "outside"},
+};
+constexpr const auto& names(Drop) { return kDropNames; }
+inline constexpr int kDropCauses = std::size(kDropNames);
 
 /// "zero area", "facing", "no sample", "outside"; "" for kNone.
-const char* drop_name(Drop drop);
+constexpr const char* drop_name(Drop drop) { return spec::row_of(drop).spoken; }
 
 /// Sets a triangle up.
 ///

@@ -82,4 +82,14 @@ Cycle DramTiming::accept(MemoryPort port, Cycle cycle, int x, int y) {
   return served + hit_latency_cycles_;
 }
 
+std::shared_ptr<MemoryTiming> make_dram(const spec::Contract& contract, int) {
+  return std::make_shared<DramTiming>(contract, DramParameters());
+}
+
+std::shared_ptr<MemoryTiming> make_dram_merged(const spec::Contract& contract, int) {
+  DramParameters parameters;
+  parameters.merged = true;
+  return std::make_shared<DramTiming>(contract, parameters);
+}
+
 }  // namespace pineda::memory

@@ -1,7 +1,9 @@
 // Depth and colour in DRAM behind small caches of tiles.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <memory>
 
 #include "model/memory/tile_cache.h"
 #include "model/memory/timing.h"
@@ -63,5 +65,10 @@ class DramTiming final : public MemoryTiming {
   Group depth_, color_;
   std::array<Cycle, kMemoryPorts> free_{};  // the port takes a request from this cycle on
 };
+
+/// A channel for depth, one for colour; an ideal memory's latency is not theirs.
+std::shared_ptr<MemoryTiming> make_dram(const spec::Contract& contract, int latency_cycles);
+/// One channel for both.
+std::shared_ptr<MemoryTiming> make_dram_merged(const spec::Contract& contract, int latency_cycles);
 
 }  // namespace pineda::memory

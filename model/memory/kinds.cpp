@@ -1,29 +1,16 @@
 #include "model/memory/kinds.h"
 
-#include "model/memory/dram_timing.h"
+#include <vector>
 
 namespace pineda::memory {
 
-const char* kind_name(Kind kind) {
-  static constexpr const char* kNames[] = {"ideal", "dram", "dram_merged"};
-  return kNames[static_cast<int>(kind)];
-}
-
-std::optional<Kind> kind_named(const std::string& name) {
-  for (const Kind kind : kKinds) {
-    if (name == kind_name(kind)) return kind;
+std::string kinds_text() {
+  std::vector<std::string> texts;
+  for (const KindName& kind : kKindNames) {
+    const std::string meaning = kind.meaning;
+    texts.push_back(kind.word + (meaning.empty() ? "" : " (" + meaning + ")"));
   }
-  return std::nullopt;
-}
-
-std::shared_ptr<MemoryTiming> make_timing(Kind kind, const spec::Contract& contract,
-                                          int latency_cycles) {
-  if (kind == Kind::kIdeal) {
-    return std::make_shared<IdealTiming>(latency_cycles, contract.design.max_depth_latency_cycles);
-  }
-  DramParameters parameters;
-  parameters.merged = kind == Kind::kDramMerged;
-  return std::make_shared<DramTiming>(contract, parameters);
+  return spec::joined(texts, ", ", " or ");
 }
 
 }  // namespace pineda::memory

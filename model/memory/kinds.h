@@ -1,28 +1,42 @@
-// The memories that can be named.
+// The memories that can be named. A new one is a file beside ideal_timing.h with a function that
+// makes it, an enumerator, and a row of the table.
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
-#include "model/memory/timing.h"
+#include "model/memory/dram_timing.h"
+#include "model/memory/ideal_timing.h"
+#include "model/spec/names.h"
 
 namespace pineda::memory {
 
-enum class Kind {
-  kIdeal,       // fixed latency, always ready
-  kDram,        // DRAM behind caches, a channel for depth, one for colour
-  kDramMerged,  // one channel for both
+enum class Kind { kIdeal, kDram, kDramMerged };
+
+struct KindName {
+  Kind value;
+  const char* word;
+  const char* meaning;  // what the word does not say
+  bool has_latency;     // that can be chosen
+  /// With its default parameters.
+  std::shared_ptr<MemoryTiming> (*make)(const spec::Contract&, int latency_cycles);
 };
-inline constexpr Kind kKinds[] = {Kind::kIdeal, Kind::kDram, Kind::kDramMerged};
+inline constexpr KindName kKindNames[] = {
+    {Kind::kIdeal, "ideal", "", true, make_ideal},
+    {Kind::kDram, "dram", "behind caches", false, make_dram},
+    {Kind::kDramMerged, "dram_merged", "depth and colour on one channel", false, make_dram_merged},
+};
+constexpr const auto& names(Kind) { return kKindNames; }
+inline constexpr auto kKinds = spec::values_of<Kind>();
 
-/// "ideal", "dram", "dram_merged".
-const char* kind_name(Kind kind);
-std::optional<Kind> kind_named(const std::string& name);
+/// "ideal, dram (behind caches) or dram_merged (depth and colour on one channel)".
+std::string kinds_text();
 
-/// A memory with its default parameters; the latency is that of an ideal one.
+/// A memory with its default parameters; the latency is of one that has_latency.
 /// Errors   see IdealTiming.
-std::shared_ptr<MemoryTiming> make_timing(Kind kind, const spec::Contract& contract,
-                                          int latency_cycles);
+inline std::shared_ptr<MemoryTiming> make_timing(Kind kind, const spec::Contract& contract,
+                                                 int latency_cycles) {
+  return spec::row_of(kind).make(contract, latency_cycles);
+}
 
 }  // namespace pineda::memory

@@ -3,6 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+
+#include "model/spec/names.h"
 
 namespace pineda::memory {
 
@@ -11,7 +14,15 @@ using Cycle = int64_t;
 
 /// The memory ports, in the order in which they are served within a cycle.
 enum class MemoryPort : uint8_t { kDepthRead, kDepthWrite, kColorWrite };
-inline constexpr size_t kMemoryPorts = 3;
-const char* port_name(MemoryPort port);  // "depth_read", "depth_write", "color_write"
+
+inline constexpr spec::Name<MemoryPort> kMemoryPortNames[] = {
+    {MemoryPort::kDepthRead, "depth_read"},
+    {MemoryPort::kDepthWrite, "depth_write"},
+    {MemoryPort::kColorWrite, "color_write"},
+};
+constexpr const auto& names(MemoryPort) { return kMemoryPortNames; }
+inline constexpr size_t kMemoryPorts = std::size(kMemoryPortNames);
+
+constexpr const char* port_name(MemoryPort port) { return spec::name_of(port); }
 
 }  // namespace pineda::memory

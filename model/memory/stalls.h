@@ -5,20 +5,30 @@
 #include <cstdint>
 
 #include "model/memory/port.h"
+#include "model/spec/names.h"
 #include "model/spec/random.h"
 
 namespace pineda::memory {
 
 /// Who stalls: nobody, the producers that feed the design, the consumers behind it, or both.
 enum class StallMode { kNone, kSource, kSink, kBoth };
-inline constexpr StallMode kStallModes[] = {StallMode::kNone, StallMode::kSource, StallMode::kSink,
-                                            StallMode::kBoth};
 
-inline const char* stall_mode_name(StallMode mode) {
-  static constexpr const char* kNames[] = {"NoStalls", "SourceStalled", "SinkStalled",
-                                           "BothStalled"};
-  return kNames[static_cast<int>(mode)];
-}
+struct StallModeName {
+  StallMode value;
+  const char* word;       // of --stall
+  const char* test_name;  // of tests over every mode
+};
+inline constexpr StallModeName kStallModeNames[] = {
+    {StallMode::kNone, "none", "NoStalls"},
+    {StallMode::kSource, "source", "SourceStalled"},
+    {StallMode::kSink, "sink", "SinkStalled"},
+    {StallMode::kBoth, "both", "BothStalled"},
+};
+constexpr const auto& names(StallMode) { return kStallModeNames; }
+inline constexpr auto kStallModes = spec::values_of<StallMode>();
+
+/// "NoStalls", "SourceStalled", "SinkStalled", "BothStalled".
+constexpr const char* stall_mode_name(StallMode mode) { return spec::row_of(mode).test_name; }
 
 /// Ports that can stall. The first ones feed the design, the others take from it.
 enum class Port : uint8_t {

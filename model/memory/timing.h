@@ -2,10 +2,6 @@
 // and the SystemC model.
 #pragma once
 
-#include <algorithm>
-#include <stdexcept>
-#include <string>
-
 #include "model/memory/port.h"
 #include "model/spec/structs.h"
 
@@ -35,26 +31,6 @@ class MemoryTiming {
   /// Cycles from a read's acceptance to its response if they are always the same and every port is
   /// always ready, so that the order of requests at different ports does not matter; else 0.
   virtual Cycle fixed_latency() const { return 0; }
-};
-
-/// Always ready; a read accepted in t is answered in t + latency.
-/// Errors   a latency outside 1 .. `longest`: std::invalid_argument.
-class IdealTiming final : public MemoryTiming {
- public:
-  IdealTiming(int latency_cycles, int longest) : latency_cycles_(latency_cycles) {
-    if (latency_cycles < 1 || latency_cycles > longest) {
-      throw std::invalid_argument("depth latency: expected 1 to " + std::to_string(longest) +
-                                  " cycles, got " + std::to_string(latency_cycles));
-    }
-  }
-
-  void begin_frame(const spec::FrameState&) override {}
-  Cycle ready_from(MemoryPort, Cycle from) override { return from; }
-  Cycle accept(MemoryPort, Cycle cycle, int, int) override { return cycle + latency_cycles_; }
-  Cycle fixed_latency() const override { return latency_cycles_; }
-
- private:
-  int latency_cycles_;
 };
 
 }  // namespace pineda::memory

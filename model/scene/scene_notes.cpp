@@ -29,38 +29,20 @@ void add_missing_parts(const spec::Design& d, const spec::FrameState& frame,
   }
 }
 
-// Depth functions that no sample of a freshly cleared frame passes, or only those at an end of the
-// range: a word, for nobody draws so on purpose.
-void add_impassable(const spec::Design& d, const spec::FrameState& frame,
-                    std::vector<std::string>* lines) {
-  using spec::DepthFunc;
+// A frame that is cleared so that nothing can be seen.
+void add_barred(const spec::Design& d, const spec::FrameState& frame,
+                std::vector<std::string>* lines) {
+  using spec::Barred;
   if (!d.depth_test) return;
   const uint32_t cleared = spec::cleared_depth(d, frame);
   const bool is_nearest = cleared == 0;
   const bool is_farthest = cleared == spec::depth_code(1, d.depth_bits);
-  const char* text = nullptr;
-  if (frame.depth == DepthFunc::kNever) text = "no sample passes";
-  if (frame.depth == DepthFunc::kGreater && is_farthest) {
-    text =
-        "nothing is greater than what depth is cleared to; cleardepth 0 or --clear-depth 0 clears "
-        "it to the nearest";
-  }
-  if (frame.depth == DepthFunc::kGequal && is_farthest) {
-    text =
-        "only samples at the far end are not less than what depth is cleared to; cleardepth 0 or "
-        "--clear-depth 0 clears it to the nearest";
-  }
-  if (frame.depth == DepthFunc::kLess && is_nearest) {
-    text =
-        "nothing is less than what depth is cleared to; cleardepth 1 or --clear-depth 1 clears it "
-        "to the farthest";
-  }
-  if (frame.depth == DepthFunc::kLequal && is_nearest) {
-    text =
-        "only samples at the near end are not greater than what depth is cleared to; cleardepth 1 "
-        "or --clear-depth 1 clears it to the farthest";
-  }
-  if (text != nullptr) lines->push_back(fmt::format("depth {}: {}", name_of(frame.depth), text));
+  const auto& function = spec::row_of(frame.depth);
+  const bool is_barred = function.barred == Barred::kAll ||
+                         (function.barred == Barred::kClearedToNearest && is_nearest) ||
+                         (function.barred == Barred::kClearedToFarthest && is_farthest);
+  if (!is_barred) return;
+  lines->push_back(fmt::format("depth {}: {}", function.word, function.why));
 }
 
 }  // namespace
@@ -91,7 +73,7 @@ std::vector<std::string> notes(const spec::Design& design, const spec::FrameStat
         "the depth bias's slope factor is taken as {}, the nearest multiple of 1/256",
         std::ldexp(static_cast<double>(frame.bias_slope), -spec::kBiasFactorFractionBits)));
   }
-  add_impassable(design, frame, &lines);
+  add_barred(design, frame, &lines);
   add_missing_parts(design, frame, &lines);
   return lines;
 }

@@ -33,11 +33,33 @@ enum class DepthFunc : uint8_t {
   kAlways,
 };
 
-inline constexpr Name<DepthFunc> kDepthFuncNames[] = {
-    {DepthFunc::kLess, "less"},         {DepthFunc::kLequal, "lequal"},
-    {DepthFunc::kOff, "off"},           {DepthFunc::kNever, "never"},
-    {DepthFunc::kEqual, "equal"},       {DepthFunc::kGreater, "greater"},
-    {DepthFunc::kNotequal, "notequal"}, {DepthFunc::kGequal, "gequal"},
+/// Which freshly cleared frames no sample passes, or only one at the end of the range that depth is
+/// cleared to. Nobody draws so on purpose.
+enum class Barred : uint8_t { kNone, kAll, kClearedToNearest, kClearedToFarthest };
+
+struct DepthFuncName {
+  DepthFunc value;
+  const char* word;
+  Barred barred = Barred::kNone;
+  const char* why = "";
+};
+inline constexpr DepthFuncName kDepthFuncNames[] = {
+    {DepthFunc::kLess, "less", Barred::kClearedToNearest,
+     "nothing is less than what depth is cleared to; cleardepth 1 or --clear-depth 1 clears it to "
+     "the farthest"},
+    {DepthFunc::kLequal, "lequal", Barred::kClearedToNearest,
+     "only samples at the near end are not greater than what depth is cleared to; cleardepth 1 or "
+     "--clear-depth 1 clears it to the farthest"},
+    {DepthFunc::kOff, "off"},
+    {DepthFunc::kNever, "never", Barred::kAll, "no sample passes"},
+    {DepthFunc::kEqual, "equal"},
+    {DepthFunc::kGreater, "greater", Barred::kClearedToFarthest,
+     "nothing is greater than what depth is cleared to; cleardepth 0 or --clear-depth 0 clears it "
+     "to the nearest"},
+    {DepthFunc::kNotequal, "notequal"},
+    {DepthFunc::kGequal, "gequal", Barred::kClearedToFarthest,
+     "only samples at the far end are not less than what depth is cleared to; cleardepth 0 or "
+     "--clear-depth 0 clears it to the nearest"},
     {DepthFunc::kAlways, "always"},
 };
 constexpr const auto& names(DepthFunc) { return kDepthFuncNames; }

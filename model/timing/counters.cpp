@@ -78,10 +78,11 @@ Counter failed_row() {
 }
 
 Counter frame_row(const core::FrameCounter& row) {
-  const std::string json = row.json;
-  return {
-      row.name, json.empty() ? json : "/counters" + json, row.unit, row.meaning, row.rtl, row.kinds,
-      row.known};
+  const std::string json = row.json();
+  return {row.full_name(), json.empty() ? json : "/counters" + json,
+          row.unit,        row.meaning,
+          row.rtl,         row.kinds,
+          row.known};
 }
 
 std::vector<NamedCount> counter_list(const spec::Contract& contract, const FrameResult& result) {

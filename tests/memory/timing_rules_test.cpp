@@ -6,6 +6,7 @@
 #include "model/memory/kinds.h"
 #include "model/memory/stalls.h"
 #include "model/spec/random.h"
+#include "tests/spec/names.h"
 
 namespace pineda::memory {
 namespace {
@@ -44,7 +45,8 @@ std::string broken_rule(MemoryTiming* timing, uint64_t seed) {
 TEST(MemoryTiming, KeepsItsRules) {
   for (const Kind kind : kKinds) {
     for (uint64_t seed = 0; seed < 8; ++seed) {
-      EXPECT_EQ(broken_rule(make_timing(kind, kContract, 8).get(), seed), "") << kind_name(kind);
+      EXPECT_EQ(broken_rule(make_timing(kind, kContract, 8).get(), seed), "")
+          << spec::name_of(kind);
     }
   }
 }
@@ -63,7 +65,7 @@ TEST(MemoryTiming, SameRequestsTakeTheSameTimeAgain) {
       }
       return responses;
     };
-    EXPECT_EQ(times(), times()) << kind_name(kind);
+    EXPECT_EQ(times(), times()) << spec::name_of(kind);
   }
 }
 
@@ -89,8 +91,20 @@ TEST(IdealTiming, LatencyOutsideTheDesignIsRefused) {
 }
 
 TEST(Kinds, AreFoundByTheirNames) {
-  for (const Kind kind : kKinds) EXPECT_EQ(kind_named(kind_name(kind)), kind);
-  EXPECT_FALSE(kind_named("sram"));
+  for (const Kind kind : kKinds) EXPECT_EQ(spec::named<Kind>(spec::name_of(kind)), kind);
+  EXPECT_FALSE(spec::named<Kind>("sram"));
+}
+
+TEST(Kinds, TablesOfNamesAreWholeAndInOrder) {
+  EXPECT_EQ(spec::fault(kKindNames, Kind::kDramMerged), "");
+  EXPECT_EQ(spec::fault(kStallModeNames, StallMode::kBoth), "");
+  EXPECT_EQ(spec::fault(kMemoryPortNames, MemoryPort::kColorWrite), "");
+  for (const StallMode mode : kStallModes) EXPECT_STRNE(stall_mode_name(mode), "");
+}
+
+TEST(Kinds, AreExplainedInOneLine) {
+  EXPECT_EQ(kinds_text(),
+            "ideal, dram (behind caches) or dram_merged (depth and colour on one channel)");
 }
 
 TEST(Stalls, OfAModeAreThoseOfItsSide) {

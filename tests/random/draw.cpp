@@ -230,12 +230,11 @@ std::string random_tri(const spec::Design& design, uint64_t seed) {
 }
 
 std::string Trial::arguments() const {
-  static constexpr const char* kStalls[] = {"none", "source", "sink", "both"};
   return fmt::format("'{}'{} {} --stall {} --seed {}", scene, size.empty() ? "" : " --size " + size,
                      memory == memory::Kind::kIdeal
                          ? fmt::format("--latency {}", bench.depth_latency_cycles)
-                         : fmt::format("--memory {}", memory::kind_name(memory)),
-                     kStalls[static_cast<int>(bench.stall_mode)], bench.seed);
+                         : fmt::format("--memory {}", spec::name_of(memory)),
+                     spec::name_of(bench.stall_mode), bench.seed);
 }
 
 Trial random_trial(const spec::Design& design, uint64_t seed, const std::string& folder) {

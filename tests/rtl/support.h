@@ -26,7 +26,7 @@ const RtlLibrary& raster_rtl(std::string_view name);
 /// The committed cases of a unit.
 template <class Case>
 std::vector<Case> committed_cases() {
-  const std::string unit = vectors::unit_name(Case::kUnit);
+  const std::string unit = spec::name_of(Case::kUnit);
   return vectors::read<Case>(std::string(PINEDA_VECTORS) + "/" + unit + "/level1_seed1.txt").cases;
 }
 

@@ -1,27 +1,16 @@
 // Words of enumerations: each table has all values, in order, and each word means one of them.
-#include "model/spec/names.h"
+#include "tests/spec/names.h"
 
 #include <gtest/gtest.h>
 
-#include <set>
 #include <string>
+#include <vector>
 
 #include "model/spec/design.h"
 #include "model/spec/raster_state.h"
 
 namespace pineda::spec {
 namespace {
-
-/// What is wrong with a table, by its rows; empty if nothing is.
-template <class Value, size_t N>
-std::string fault(const Name<Value> (&rows)[N], Value last) {
-  std::set<std::string> words;
-  for (size_t i = 0; i < N; ++i) {
-    if (static_cast<size_t>(rows[i].value) != i) return std::string("order: ") + rows[i].word;
-    if (!words.insert(rows[i].word).second) return std::string("twice: ") + rows[i].word;
-  }
-  return static_cast<size_t>(last) + 1 == N ? "" : "not all values";
-}
 
 TEST(Names, EachTableHasItsEnumerationInOrderAndWordsThatDiffer) {
   EXPECT_EQ(fault(kSwitchNames, true), "");

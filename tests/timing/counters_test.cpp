@@ -69,7 +69,7 @@ TEST(CounterTable, NamesAreThoseThatUsersKnow) {
   const auto all = rows(kWide);
   for (const char* name :
        {"drained", "setup.busy", "interp_ztest.hazard", "prims.level_0", "tiles.level_2",
-        "depth_read.stalls", "stamps_of_16_samples", "samples_failed", "triangles", "dropped.none",
+        "depth_read.stalls", "stamps_of_16_samples", "samples_failed", "triangles", "kept",
         "dropped.zero_area", "tiles_hidden", "passed"}) {
     EXPECT_EQ(all.count(name), 1u) << name;
   }
@@ -78,7 +78,7 @@ TEST(CounterTable, NamesAreThoseThatUsersKnow) {
   EXPECT_EQ(all.at("depth_read.stalls").json, "/port_stalls/depth_read");
   EXPECT_EQ(all.at("stamps_of_16_samples").json, "/stamps_by_samples/16");
   EXPECT_EQ(all.at("samples_failed").json, "/depth_tests/failed");
-  EXPECT_EQ(all.at("dropped.none").json, "");
+  EXPECT_EQ(all.at("kept").json, "");
   EXPECT_EQ(all.at("tiles_hidden").json, "/counters/tiles/hidden");
 }
 
@@ -153,11 +153,10 @@ TEST(FrameCounterTable, ReadsAndWritesTheMemberOfEachRow) {
 // A drop has a name with spaces for a person and a key with underscores for files: the same words.
 TEST(FrameCounterTable, DropsAreSpelledAsTheirNames) {
   for (int i = 1; i < core::kDropCauses; ++i) {
-    std::string words = core::drop_key(static_cast<Drop>(i));
+    std::string words = spec::name_of(static_cast<Drop>(i));
     std::replace(words.begin(), words.end(), '_', ' ');
     EXPECT_EQ(words, core::drop_name(static_cast<Drop>(i)));
   }
-  EXPECT_EQ(core::drop_key(Drop::kNone), "none");
 }
 
 TEST(CounterDifferences, TheOneThatDiffersIsNamedWithBothCounts) {

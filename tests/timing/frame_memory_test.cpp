@@ -180,7 +180,7 @@ TEST(RasterMemory, DramIsSlowerAndLeavesTheSameFrame) {
     top.set_memory(memory::make_timing(kind, kContract, 8));
     const Cycle cycles = top.run(scene.frame, pull_from(scene)).cycles;
     if (kind == memory::Kind::kIdeal) ideal = cycles;
-    EXPECT_EQ(cycles > ideal, kind != memory::Kind::kIdeal) << memory::kind_name(kind);
+    EXPECT_EQ(cycles > ideal, kind != memory::Kind::kIdeal) << spec::name_of(kind);
     EXPECT_EQ(top.buffer().depth, expected.depth);
     EXPECT_EQ(top.buffer().color, expected.color);
     EXPECT_EQ(top.run(scene.frame, pull_from(scene)).cycles, cycles) << "another frame";

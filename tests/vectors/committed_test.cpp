@@ -13,7 +13,7 @@ namespace {
 template <class Case>
 std::vector<std::string> committed() {
   std::vector<std::string> paths;
-  const auto folder = std::filesystem::path(PINEDA_VECTORS) / unit_name(Case::kUnit);
+  const auto folder = std::filesystem::path(PINEDA_VECTORS) / spec::name_of(Case::kUnit);
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     paths.push_back(entry.path().string());
   }
@@ -35,7 +35,7 @@ using Cases = testing::Types<SetupCase, TraversalCase, InterpZtestCase, FrameCas
 struct UnitName {
   template <class Case>
   static std::string GetName(int) {
-    return unit_name(Case::kUnit);
+    return spec::name_of(Case::kUnit);
   }
 };
 TYPED_TEST_SUITE(Committed, Cases, UnitName);

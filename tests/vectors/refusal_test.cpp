@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tests/spec/names.h"
 #include "tests/vectors/samples.h"
 
 namespace pineda::vectors {
@@ -228,6 +229,12 @@ TEST(RefusalOfAPath, FileThatDoesNotExist) {
       EXPECT_EQ(std::string(error.what()).find("absent.txt: expected "), 0u) << error.what();
     }
   }
+}
+
+TEST(Names, OfUnitsAndDropsAreWholeAndInOrder) {
+  EXPECT_EQ(spec::fault(kUnitNames, Unit::kFrame), "");
+  EXPECT_EQ(spec::fault(core::kDropNames, core::Drop::kOutside), "");
+  EXPECT_EQ(spec::alternatives<Unit>(), "setup, traversal, interp_ztest or frame");
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ template <class Case>
 class RoundTrip : public testing::Test {
  protected:
   // Each test its own folder: they run at the same time.
-  const std::string folder_ = testing::TempDir() + "pineda_vectors_" + unit_name(Case::kUnit) +
+  const std::string folder_ = testing::TempDir() + "pineda_vectors_" + spec::name_of(Case::kUnit) +
                               "_" + testing::UnitTest::GetInstance()->current_test_info()->name();
   void SetUp() override { std::filesystem::create_directories(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }

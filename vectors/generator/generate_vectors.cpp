@@ -11,9 +11,12 @@ namespace {
 
 using namespace pineda;
 
-constexpr const char* kUsage =
-    "usage: generate_vectors --unit setup|traversal|interp_ztest|frame --level 1|2 --seed N\n"
-    "                        -o FILE [--design NAME]\n";
+std::string usage() {
+  return fmt::format(
+      "usage: generate_vectors --unit {} --level 1|2 --seed N\n"
+      "                        -o FILE [--design NAME]\n",
+      spec::joined(spec::word_list<vectors::Unit>(), "|", "|"));
+}
 
 /// Bad usage; what() says in one line what was expected.
 class UsageError : public std::runtime_error {
@@ -51,7 +54,7 @@ uint64_t number(const std::string& option, const std::string& text) {
 
 void run(int argc, char** argv) {
   const auto options = parse(argc, argv);
-  const auto unit = vectors::find_unit(options.at("--unit"));
+  const auto unit = spec::named<vectors::Unit>(options.at("--unit"));
   if (!unit) throw UsageError("unknown unit '" + options.at("--unit") + "'");
   const uint64_t level = number("--level", options.at("--level"));
   if (level < 1 || level > vectors::kMaxLevel) throw UsageError("expected --level 1 or 2");
@@ -69,7 +72,7 @@ void run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   if (argc == 2 && std::string(argv[1]) == "--help") {
-    fmt::print("{}", kUsage);
+    fmt::print("{}", usage());
     return 0;
   }
   try {

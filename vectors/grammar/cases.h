@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +12,13 @@ namespace pineda::vectors {
 
 enum class Unit { kSetup, kTraversal, kInterpZtest, kFrame };
 
-/// "setup", "traversal", "interp_ztest", "frame".
-const char* unit_name(Unit unit);
-std::optional<Unit> find_unit(const std::string& name);
+inline constexpr spec::Name<Unit> kUnitNames[] = {
+    {Unit::kSetup, "setup"},
+    {Unit::kTraversal, "traversal"},
+    {Unit::kInterpZtest, "interp_ztest"},
+    {Unit::kFrame, "frame"},
+};
+constexpr const auto& names(Unit) { return kUnitNames; }
 
 /// Greatest frame whose memories a case may ask for (interp_ztest, frame).
 inline constexpr int64_t kMaxFrameSamples = 65536;

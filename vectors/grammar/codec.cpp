@@ -12,17 +12,10 @@ namespace {
 constexpr int kCounterBits = 32;
 constexpr int kHitBits = 16;
 
-// "drop zero_area": the causes as the counters of a frame name them.
-const char* drop_word(core::Drop drop) {
-  static constexpr const char* kWords[core::kDropCauses] = {"kept", "zero_area", "facing",
-                                                            "no_sample", "outside"};
-  return kWords[static_cast<int>(drop)];
-}
-
 core::Drop read_drop(Lines* lines) {
   for (int i = 1; i < core::kDropCauses; ++i) {
     const auto drop = static_cast<core::Drop>(i);
-    if (lines->line() == fmt::format("drop {}", drop_word(drop))) {
+    if (lines->line() == fmt::format("drop {}", spec::name_of(drop))) {
       lines->next();
       return drop;
     }
@@ -89,7 +82,7 @@ std::string Codec<SetupCase>::write(const SetupCase& value) const {
   auto prim = value.out.begin();
   for (const core::Drop drop : value.drops) {
     text += drop == core::Drop::kNone ? prim_.write(*prim++)
-                                      : fmt::format("drop {}\n", drop_word(drop));
+                                      : fmt::format("drop {}\n", spec::name_of(drop));
   }
   return text;
 }

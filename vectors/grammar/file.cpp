@@ -41,8 +41,9 @@ Header read_identity(Lines* lines) {
   }
   Header header;
   const std::string unit = next_value(lines, "unit");
-  if (!find_unit(unit)) lines->refuse("a unit: setup, traversal, interp_ztest or frame", unit);
-  header.unit = *find_unit(unit);
+  const auto known = spec::named<Unit>(unit);
+  if (!known) lines->refuse("a unit: " + spec::alternatives<Unit>(), unit);
+  header.unit = *known;
   header.design = next_value(lines, "design");
   if (spec::find_design(header.design) == nullptr) {
     lines->refuse("the name of a design of this build", header.design);
@@ -104,8 +105,8 @@ File<Case> read_text(const std::string& path, const std::string& text) {
   const Header header = read_identity(&lines);
   constexpr int kUnitLine = 2;
   if (header.unit != Case::kUnit) {
-    lines.refuse_at(kUnitLine, fmt::format("the unit {}", unit_name(Case::kUnit)),
-                    unit_name(header.unit));
+    lines.refuse_at(kUnitLine, fmt::format("the unit {}", spec::name_of(Case::kUnit)),
+                    spec::name_of(header.unit));
   }
   File<Case> file{spec::contract(*spec::find_design(header.design)), header.level, header.seed, {}};
   const uint64_t count = read_count(&lines, file.contract);
@@ -147,7 +148,7 @@ std::string write_text(const File<Case>& file) {
   }
   return fmt::format(
              "{}\nunit {}\ndesign {}\nlevel {}\nseed {}\nformats {}\ncases {}\ncontent {}\n",
-             kMagic, unit_name(Case::kUnit), file.contract.design.name, file.level, file.seed,
+             kMagic, spec::name_of(Case::kUnit), file.contract.design.name, file.level, file.seed,
              hash_text(spec::formats_hash(file.contract)), file.cases.size(),
              hash_text(spec::text_hash(body))) +
          body;

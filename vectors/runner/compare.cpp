@@ -15,7 +15,7 @@ using Text = std::optional<std::string>;
 template <class Case>
 Text named(const Case& c, const Text& text) {
   if (!text) return text;
-  return fmt::format("{} case {}: {}", unit_name(Case::kUnit), c.name, *text);
+  return fmt::format("{} case {}: {}", spec::name_of(Case::kUnit), c.name, *text);
 }
 
 const char* outcome(core::Drop drop) {

@@ -1,0 +1,37 @@
+// A memory that is always ready and answers after a fixed time.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "model/memory/timing.h"
+
+namespace pineda::memory {
+
+/// Always ready; a read accepted in t is answered in t + latency.
+/// Errors   a latency outside 1 .. `longest`: std::invalid_argument.
+class IdealTiming final : public MemoryTiming {
+ public:
+  IdealTiming(int latency_cycles, int longest) : latency_cycles_(latency_cycles) {
+    if (latency_cycles < 1 || latency_cycles > longest) {
+      throw std::invalid_argument("depth latency: expected 1 to " + std::to_string(longest) +
+                                  " cycles, got " + std::to_string(latency_cycles));
+    }
+  }
+
+  void begin_frame(const spec::FrameState&) override {}
+  Cycle ready_from(MemoryPort, Cycle from) override { return from; }
+  Cycle accept(MemoryPort, Cycle cycle, int, int) override { return cycle + latency_cycles_; }
+  Cycle fixed_latency() const override { return latency_cycles_; }
+
+ private:
+  int latency_cycles_;
+};
+
+inline std::shared_ptr<MemoryTiming> make_ideal(const spec::Contract& contract,
+                                                int latency_cycles) {
+  return std::make_shared<IdealTiming>(latency_cycles, contract.design.max_depth_latency_cycles);
+}
+
+}  // namespace pineda::memory
