@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "model/scene/resnap.h"
+#include "model/spec/design_file.h"
 
 namespace pineda::cli {
 namespace {
