@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/output.h"
+#include "model/core/frame.h"
 #include "model/spec/difference.h"
 
 namespace pineda::cli {
