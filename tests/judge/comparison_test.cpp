@@ -166,6 +166,9 @@ TEST(Comparison, AttributesBehindTheColourAreNought) {
   d.attributes = 7;
   const ScreenTruth truth = truth_of(judge_of(d));
   Samples samples = nearest(truth, values_of(d));
+  for (const Drawn& drawn : samples) {
+    EXPECT_TRUE(drawn.attr[4] == 0 && drawn.attr[5] == 0 && drawn.attr[6] == 0);
+  }
   EXPECT_TRUE(compared(truth, samples, values_of(d)).holds());
   samples[3].attr[6] = 1;
   EXPECT_EQ(compared(truth, samples, values_of(d)).beyond, 1u);
