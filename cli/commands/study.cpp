@@ -173,11 +173,11 @@ int reciprocals(const StudyOptions& options) {
     holds = holds && worst.error <= bound;
     output.line("{:<20}{:>4}{:>10}{:>8}{:>11.2f}{:>12.1f}{:>9.2f}   {}", row.name,
                 d.reciprocal_bits,
-                grouped(static_cast<uint64_t>(studies::reciprocal_rom_size_bits(d))),
+                grouped(static_cast<uint64_t>(spec::reciprocal_rom_size_bits(d))),
                 spec::reciprocal_cycles(d), worst.good_bits(), row.prototype_good_bits,
                 -std::log2(bound), worst.exhaustive ? "every mantissa" : "cells' ends and a grid");
     json["schemes"][row.name] = {{"k", d.reciprocal_bits},
-                                 {"rom_bits", studies::reciprocal_rom_size_bits(d)},
+                                 {"rom_bits", spec::reciprocal_rom_size_bits(d)},
                                  {"cycles", spec::reciprocal_cycles(d)},
                                  {"good_bits", worst.good_bits()},
                                  {"worst_area2", worst.area2},

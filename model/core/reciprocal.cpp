@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/spec/reciprocal_rom.h"
+#include "model/spec/reciprocal/schemes.h"
 
 namespace pineda::core {
 

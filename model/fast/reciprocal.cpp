@@ -4,7 +4,7 @@
 #include <array>
 
 #include "model/fast/lanes.h"
-#include "model/spec/reciprocal_rom.h"
+#include "model/spec/reciprocal/schemes.h"
 
 namespace pineda::fast {
 

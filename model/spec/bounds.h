@@ -12,44 +12,7 @@ namespace pineda::spec {
 
 /// Greatest relative error of core::reciprocal(), proven for every parameter; for the named ROMs
 /// and k a smaller one, found by trying every mantissa (`pineda study reciprocals --exhaustive`).
-///
-/// With t = 2^-(k+2): cutting m off makes the result up to 2t greater, the last rounding moves it
-/// by up to 4t. A Newton step squares the error, downwards, and its two truncations add up to t
-/// upwards and 2t downwards; the ROM's first guess is within .625 * 2^-l. A parabola is within
-/// 2^-3l / 31, and its coefficients and truncations within 6t. A quotient is the nearest one.
-inline double reciprocal_error_bound(const Design& d) {
-  struct Found {
-    int lut_bits, newton_steps, k;
-    double good_bits;
-  };
-  static constexpr Found kFound[] = {{8, 1, 19, 17.29},   // low
-                                     {10, 1, 22, 21.04},  // med
-                                     {12, 1, 26, 24.97},  // med_plus
-                                     {7, 2, 30, 29.41},   // high, high_tile
-                                     {8, 2, 32, 31.41}};  // high_plus
-  const double t = std::exp2(-(d.reciprocal_bits + 2));
-  switch (d.reciprocal_scheme) {
-    case ReciprocalScheme::kNewton: {
-      for (const Found& f : kFound) {
-        if (f.lut_bits == d.reciprocal_lut_bits && f.newton_steps == d.reciprocal_newton_steps &&
-            f.k == d.reciprocal_bits) {
-          return std::exp2(-f.good_bits);
-        }
-      }
-      double error = .625 * std::exp2(-d.reciprocal_lut_bits);
-      for (int i = 0; i < d.reciprocal_newton_steps; ++i) error = error * error + 2 * t;
-      return error + 6 * t;
-    }
-    case ReciprocalScheme::kQuadratic:
-      return std::exp2(-3 * d.reciprocal_lut_bits) / 31 + 12 * t;
-    case ReciprocalScheme::kRestoring2:
-    case ReciprocalScheme::kRestoring4:
-      return 4 * t;
-    case ReciprocalScheme::kNone:
-      break;
-  }
-  return 0;
-}
+inline double reciprocal_error_bound(const Design& d) { return scheme_of(d).error_bound(d); }
 
 /// Largest error of a depth code and of an attribute against exact arithmetic on the snapped
 /// vertices, in units of the last place.

@@ -111,6 +111,15 @@ const Design* find_design(const std::string& name) {
 
 namespace {
 
+/// "newton or quadratic": those that take a number a cycle.
+std::string quick_schemes() {
+  std::vector<std::string> words;
+  for (const Scheme& scheme : kReciprocalSchemes) {
+    if (scheme.every_cycle) words.emplace_back(scheme.word);
+  }
+  return joined(words, ", ", " or ");
+}
+
 /// Parts that need another.
 std::string combination_reason(const Design& d) {
   const bool has_planes = has_reciprocal(d);
@@ -127,21 +136,17 @@ std::string combination_reason(const Design& d) {
     return "perspective needs attributes that are interpolated";
   }
   // A weight a cycle and lane, or the planes of a triangle a cycle.
-  if (!has_rom(d) && (d.perspective || (has_planes && d.setup_style == SetupStyle::kPipelined))) {
-    return fmt::format("{} needs reciprocal_scheme newton or quadratic: {} takes many cycles",
-                       d.perspective ? "perspective" : "setup_style pipelined",
-                       name_of(d.reciprocal_scheme));
+  if (!scheme_of(d).every_cycle &&
+      (d.perspective || (has_planes && d.setup_style == SetupStyle::kPipelined))) {
+    return fmt::format("{} needs reciprocal_scheme {}: {} takes many cycles",
+                       d.perspective ? "perspective" : "setup_style pipelined", quick_schemes(),
+                       scheme_of(d).word);
   }
   // The gradient's shift (k + bit_length(area2) - 1 - F - S for an attribute) must not be negative.
   if (has_planes && d.reciprocal_bits < d.gradient_fraction_bits + d.subpixel_bits) {
     return "reciprocal_bits must be at least gradient_fraction_bits + subpixel_bits";
   }
-  // The coefficient of the square has k + 2 - 2*lut_bits bits.
-  if (d.reciprocal_scheme == ReciprocalScheme::kQuadratic &&
-      d.reciprocal_bits < 2 * d.reciprocal_lut_bits) {
-    return "reciprocal_bits must be at least 2*reciprocal_lut_bits in a quadratic reciprocal";
-  }
-  return {};
+  return has_planes ? scheme_of(d).invalid_reason(d) : "";
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace pineda::spec {
 
-/// How the planes get from numerators to gradients.
+/// How the planes get from numerators to gradients: reciprocal/schemes.h says what each one is.
 enum class ReciprocalScheme {
   kNewton,      // ROM of 2^lut_bits entries, then Newton steps, none included
   kQuadratic,   // ROM of 2^lut_bits parabolas
@@ -16,15 +16,6 @@ enum class ReciprocalScheme {
   kRestoring4,  // the same quotient, two bits a cycle
   kNone,        // no reciprocal: planes step by quotient and remainder and are never rounded
 };
-
-inline constexpr Name<ReciprocalScheme> kReciprocalSchemeNames[] = {
-    {ReciprocalScheme::kNewton, "newton"},
-    {ReciprocalScheme::kQuadratic, "quadratic"},
-    {ReciprocalScheme::kRestoring2, "restoring2"},
-    {ReciprocalScheme::kRestoring4, "restoring4"},
-    {ReciprocalScheme::kNone, "none"},
-};
-constexpr const auto& names(ReciprocalScheme) { return kReciprocalSchemeNames; }
 
 /// How many triangles share a multiplier in setup.
 enum class SetupStyle {
@@ -108,11 +99,6 @@ constexpr int plane_count(const Design& d) {
 /// Planes need the reciprocal of the doubled area, weights that of the sum of the products.
 constexpr bool has_reciprocal(const Design& d) {
   return d.reciprocal_scheme != ReciprocalScheme::kNone && (plane_count(d) > 0 || d.perspective);
-}
-
-constexpr bool has_rom(const Design& d) {
-  return d.reciprocal_scheme == ReciprocalScheme::kNewton ||
-         d.reciprocal_scheme == ReciprocalScheme::kQuadratic;
 }
 
 /// Values written for a sample: interpolated attributes, then flat ones.

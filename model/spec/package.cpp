@@ -5,16 +5,9 @@
 #include <cctype>
 
 #include "model/spec/fields.h"
-#include "model/spec/reciprocal_rom.h"
 
 namespace pineda::spec {
 namespace {
-
-struct Constant {
-  const char* name;
-  int value;
-  const char* meaning;
-};
 
 using Constants = std::vector<Constant>;
 
@@ -131,37 +124,12 @@ Constants constants(const Contract& c) {
 }
 
 // What the scheme of the reciprocal has, and no other.
-std::vector<Constant> reciprocal_constants(const Design& d) {
+Constants reciprocal_constants(const Design& d) {
   if (!has_reciprocal(d)) return {};
-  const Constant mantissa{"RECIPROCAL_BITS", d.reciprocal_bits, "k: mantissa of a reciprocal"};
-  const Constant cycles{"RECIPROCAL_CYCLES", reciprocal_cycles(d), "from its number to it"};
-  const Constant index{"RECIPROCAL_LUT_BITS", d.reciprocal_lut_bits, "index of the ROM"};
-  switch (d.reciprocal_scheme) {
-    case ReciprocalScheme::kNewton:
-      return {
-          mantissa,
-          cycles,
-          index,
-          {"RECIPROCAL_ROM_BITS", reciprocal_rom_bits(d), "entry of the ROM, leading 1 implied"},
-          {"RECIPROCAL_NEWTON_STEPS", d.reciprocal_newton_steps, ""}};
-    case ReciprocalScheme::kQuadratic:
-      return {mantissa,
-              cycles,
-              index,
-              {"RECIPROCAL_C0_BITS", parabola_c0_bits(d), "constant, leading 1 implied"},
-              {"RECIPROCAL_C1_BITS", parabola_c1_bits(d), "coefficient of -t"},
-              {"RECIPROCAL_C2_BITS", parabola_c2_bits(d), "coefficient of t^2"},
-              {"RECIPROCAL_ROM_BITS", parabola_bits(d),
-               "entry of the ROM: the three, the constant on top"}};
-    case ReciprocalScheme::kRestoring2:
-    case ReciprocalScheme::kRestoring4:
-      return {mantissa,
-              cycles,
-              {"RECIPROCAL_RADIX_BITS", reciprocal_radix_bits(d), "of the quotient a cycle"}};
-    case ReciprocalScheme::kNone:
-      break;
-  }
-  return {};
+  Constants all{{"RECIPROCAL_BITS", d.reciprocal_bits, "k: mantissa of a reciprocal"},
+                {"RECIPROCAL_CYCLES", reciprocal_cycles(d), "from its number to it"}};
+  append(scheme_of(d).constants(d), &all);
+  return all;
 }
 
 std::string upper(std::string text) {
@@ -171,14 +139,11 @@ std::string upper(std::string text) {
 
 // What is built, as macros: a module must not name what the package lacks, nor a port exist for it.
 std::string macros_text(const Design& d) {
-  static constexpr const char* kSchemes[] = {"NEWTON", "QUADRATIC", "RESTORING", "RESTORING",
-                                             "NONE"};
   std::string text = fmt::format("`define PINEDA_SETUP_{}\n", upper(name_of(d.setup_style)));
   const auto define = [&](bool built, const std::string& name) {
     if (built) text += fmt::format("`define PINEDA_{}\n", name);
   };
-  define(has_reciprocal(d),
-         std::string("RECIPROCAL_") + kSchemes[static_cast<int>(d.reciprocal_scheme)]);
+  define(has_reciprocal(d), std::string("RECIPROCAL_") + scheme_of(d).macro);
   define(d.depth_test, "DEPTH");
   define(d.hierarchical_z, "HIERARCHICAL_Z");
   define(plane_count(d) > 0, "PLANES");
@@ -189,38 +154,25 @@ std::string macros_text(const Design& d) {
   return text;
 }
 
-std::string newton_entry(const Design& d, int index) {
-  return fmt::format("{}'d{}", reciprocal_rom_bits(d), reciprocal_rom(d, index));
-}
-
-std::string parabola_entry(const Design& d, int index) {
-  const Parabola c = reciprocal_parabola(d, index);
-  const int64_t leading_one = int64_t{1} << parabola_c0_bits(d);
-  return fmt::format("{{{}'d{}, {}'d{}, {}'d{}}}", parabola_c0_bits(d), c.c0 - leading_one,
-                     parabola_c1_bits(d), c.c1, parabola_c2_bits(d), c.c2);
+std::string rom_entry_text(const std::vector<RomPart>& entry) {
+  std::vector<std::string> parts;
+  for (const RomPart& part : entry) parts.push_back(fmt::format("{}'d{}", part.bits, part.value));
+  return parts.size() == 1 ? parts[0] : "{" + joined(parts, ", ", ", ") + "}";
 }
 
 // The ROM as a function; nothing for a scheme without one.
 std::string reciprocal_rom_text(const Design& d) {
-  const bool newton = d.reciprocal_scheme == ReciprocalScheme::kNewton;
-  if (!has_reciprocal(d)) return {};
-  if (!newton && d.reciprocal_scheme != ReciprocalScheme::kQuadratic) return {};
-  std::string text =
-      newton
-          ? fmt::format(
-                "  // First guess of 1/(2m), m = 0.1<index>...: value (2^{0} + entry) / 2^{1}.\n",
-                reciprocal_rom_bits(d), reciprocal_rom_bits(d) + 1)
-          : fmt::format("  // 1/(2m) = c0 - c1*t + c2*t^2 in units of 2^-{}, m = 0.1<index><t>.\n",
-                        reciprocal_working_bits(d));
-  text +=
-      "  function automatic logic [RECIPROCAL_ROM_BITS-1:0] reciprocal_rom(\n"
-      "      input logic [RECIPROCAL_LUT_BITS-1:0] index);\n    case (index)\n";
+  if (!has_reciprocal(d) || !has_rom(d)) return {};
+  const ReciprocalRom& rom = *scheme_of(d).rom;
+  std::string text = fmt::format(
+      "  // {}\n  function automatic logic [RECIPROCAL_ROM_BITS-1:0] reciprocal_rom(\n"
+      "      input logic [RECIPROCAL_LUT_BITS-1:0] index);\n    case (index)\n",
+      rom.meaning(d));
   const int entries = 1 << d.reciprocal_lut_bits;
   for (int i = 0; i < entries; ++i) {
     const std::string label =
         i + 1 == entries ? "default" : fmt::format("{}'d{}", d.reciprocal_lut_bits, i);
-    text += fmt::format("      {}: reciprocal_rom = {};\n", label,
-                        newton ? newton_entry(d, i) : parabola_entry(d, i));
+    text += fmt::format("      {}: reciprocal_rom = {};\n", label, rom_entry_text(rom.entry(d, i)));
   }
   return text + "    endcase\n  endfunction\n\n";
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-#include "model/spec/design.h"
+#include "model/spec/reciprocal/schemes.h"
 
 namespace pineda::spec {
 
@@ -56,7 +56,7 @@ constexpr bool reciprocal_or_remainders(const Design& d) {
   return has_reciprocal(d) || d.reciprocal_scheme == ReciprocalScheme::kNone;
 }
 constexpr bool rom(const Design& d) { return has_rom(d); }
-constexpr bool newton(const Design& d) { return d.reciprocal_scheme == ReciprocalScheme::kNewton; }
+constexpr bool newton_steps(const Design& d) { return scheme_of(d).has_newton_steps; }
 constexpr bool hierarchical_z(const Design& d) { return d.hierarchical_z; }
 }  // namespace having
 
@@ -96,8 +96,8 @@ inline constexpr Parameter kParameters[] = {
      "mantissa of a vertex's 1/w"},
     {"reciprocal_lut_bits", Number{&Design::reciprocal_lut_bits, {4}, {12}}, having::rom, "bits",
      "index of the ROM: `newton`, `quadratic`", 0, having::reciprocal},
-    {"reciprocal_newton_steps", Number{&Design::reciprocal_newton_steps, {0}, {2}}, having::newton,
-     "", "steps behind the ROM: `newton`", 0, having::reciprocal},
+    {"reciprocal_newton_steps", Number{&Design::reciprocal_newton_steps, {0}, {2}},
+     having::newton_steps, "", "steps behind the ROM: `newton`", 0, having::reciprocal},
     {"reciprocal_bits", Number{&Design::reciprocal_bits, {12}, {32}}, having::reciprocal, "bits",
      "k: mantissa of the reciprocal"},
     {"gradient_fraction_bits", Number{&Design::gradient_fraction_bits, {8}, {20}},

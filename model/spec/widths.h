@@ -36,29 +36,6 @@ inline constexpr int kInverseWShiftBits = 8;
 /// Triangle number that travels with every token in simulation (1 bit in synthesis).
 inline constexpr int kTriangleIdBits = 32;
 
-/// Bits of the quotient that restoring division finds in a cycle.
-constexpr int reciprocal_radix_bits(const Design& d) {
-  return d.reciprocal_scheme == ReciprocalScheme::kRestoring4 ? 2 : 1;
-}
-
-/// Cycles from the doubled area to its reciprocal: one to align, then one for the ROM and two a
-/// Newton step; or three for coefficients, products and sum; or one for the quotient's first bit
-/// and one for each digit of the k bits behind it.
-constexpr int reciprocal_cycles(const Design& d) {
-  switch (d.reciprocal_scheme) {
-    case ReciprocalScheme::kNewton:
-      return 2 + 2 * d.reciprocal_newton_steps;
-    case ReciprocalScheme::kQuadratic:
-      return 4;
-    case ReciprocalScheme::kRestoring2:
-    case ReciprocalScheme::kRestoring4:
-      return 2 + (d.reciprocal_bits + reciprocal_radix_bits(d) - 1) / reciprocal_radix_bits(d);
-    case ReciprocalScheme::kNone:
-      break;
-  }
-  return 0;
-}
-
 /// Widths in bits, unless the name says otherwise.
 struct Widths {
   int coord;         // x, y: sQ<guard>.<S> px
@@ -118,31 +95,10 @@ constexpr void pipelined_setup_cycles(const Design& d, Widths* w) {
   w->setup_latency_cycles = plane_count(d) > 0 ? w->setup_planes_step + 7 : 9;
 }
 
-/// Steps of serial setup between the edges' last product and the first plane's: those of the
-/// reciprocal's products. Its last one is taken up while the planes' first one is made.
-constexpr int serial_reciprocal_steps(const Design& d) {
-  switch (d.reciprocal_scheme) {
-    case ReciprocalScheme::kNewton:  // two products a step, the second waits for the first
-      return d.reciprocal_newton_steps > 0 ? 3 * d.reciprocal_newton_steps - 1 : 0;
-    case ReciprocalScheme::kQuadratic:  // square, linear term, curve
-      return 3;
-    case ReciprocalScheme::kRestoring2:
-    case ReciprocalScheme::kRestoring4: {
-      // Without products, from step 5 on. The mantissa is wanted 4 products after the planes'
-      // start.
-      const int wait = 5 + reciprocal_cycles(d) - 4 - 9;
-      return wait > 0 ? wait : 0;
-    }
-    case ReciprocalScheme::kNone:
-      break;
-  }
-  return 0;
-}
-
 /// A product a cycle: two of the area, four of the edges in steps 5 to 8, the reciprocal's, eight
 /// of each plane, and the depth bias.
 constexpr void serial_setup_cycles(const Design& d, Widths* w) {
-  w->setup_planes_step = 9 + serial_reciprocal_steps(d);
+  w->setup_planes_step = 9 + scheme_of(d).serial_setup_steps(d);
   const int products = 8 * plane_count(d) + (d.depth_test ? 1 : 0);
   // The last product is taken up in one more step, the edges are written in step 10.
   const int last = plane_count(d) > 0 ? w->setup_planes_step + products : 10;

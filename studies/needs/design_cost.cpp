@@ -1,13 +1,11 @@
 #include "studies/needs/design_cost.h"
 
 #include "model/spec/fields.h"
-#include "model/spec/reciprocal_rom.h"
 
 namespace pineda::studies {
 namespace {
 
 using spec::Design;
-using spec::ReciprocalScheme;
 using spec::Widths;
 
 constexpr int64_t kRomShare = 8;  // bits of ROM or of a memory that count as one
@@ -26,31 +24,11 @@ int64_t setup_bits(const Design& d, const Widths& w) {
   return bits + affine * plane_bits(d, w, d.attribute_bits, w.attr_numerator, w.attr_plane);
 }
 
-int64_t one_reciprocal_bits(const Design& d, const Widths& w) {
-  const int64_t working = spec::reciprocal_working_bits(d);
-  const int64_t entries = int64_t{1} << d.reciprocal_lut_bits;
-  switch (d.reciprocal_scheme) {
-    case ReciprocalScheme::kNewton:
-      return int64_t{2} * d.reciprocal_newton_steps * working * working +
-             entries * spec::reciprocal_rom_bits(d) / kRomShare;
-    case ReciprocalScheme::kQuadratic: {
-      const int64_t t = working - 1 - d.reciprocal_lut_bits;
-      return t * (t + spec::parabola_c1_bits(d) + spec::parabola_c2_bits(d)) +
-             entries * spec::parabola_bits(d) / kRomShare;
-    }
-    case ReciprocalScheme::kRestoring2:
-    case ReciprocalScheme::kRestoring4:
-      return int64_t{w.area2} * spec::reciprocal_radix_bits(d);
-    case ReciprocalScheme::kNone:
-      break;
-  }
-  return 0;
-}
-
 int64_t reciprocal_bits(const Design& d, const Widths& w) {
   if (!spec::has_reciprocal(d)) return 0;
   const int units = (spec::plane_count(d) > 0 ? 1 : 0) + (d.perspective ? w.lanes : 0);
-  return units * one_reciprocal_bits(d, w);
+  return units * (spec::scheme_of(d).logic_bits(d, w.area2) +
+                  spec::reciprocal_rom_size_bits(d) / kRomShare);
 }
 
 int64_t interpolation_bits(const Design& d, const Widths& w) {

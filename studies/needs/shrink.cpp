@@ -57,13 +57,10 @@ void fit_fractions(Design* d) {
 
 std::string reciprocal_text(const Design& d) {
   if (!spec::has_reciprocal(d)) return "-";
-  const bool has_rom = d.reciprocal_scheme == ReciprocalScheme::kNewton ||
-                       d.reciprocal_scheme == ReciprocalScheme::kQuadratic;
-  std::string text = spec::name_of(d.reciprocal_scheme);
-  if (has_rom) text += fmt::format(" lut {}", d.reciprocal_lut_bits);
-  if (d.reciprocal_scheme == ReciprocalScheme::kNewton) {
-    text += fmt::format(" steps {}", d.reciprocal_newton_steps);
-  }
+  const spec::Scheme& scheme = spec::scheme_of(d);
+  std::string text = scheme.word;
+  if (scheme.rom != nullptr) text += fmt::format(" lut {}", d.reciprocal_lut_bits);
+  if (scheme.has_newton_steps) text += fmt::format(" steps {}", d.reciprocal_newton_steps);
   return text + fmt::format(" k {}", d.reciprocal_bits);
 }
 
@@ -109,28 +106,34 @@ Designs without(const Design& design) {
   return {d};
 }
 
+/// From the least to the greatest value of a parameter, or the one it has if it is not used.
+std::vector<Design> each_value(const std::vector<Design>& designs, int Design::*member) {
+  const spec::Parameter& p = spec::parameter(member);
+  const auto& number = std::get<spec::Number>(p.member);
+  std::vector<Design> all;
+  for (Design d : designs) {
+    if (!p.used(d)) {
+      all.push_back(d);
+      continue;
+    }
+    for (d.*member = number.low(d); d.*member <= number.high(d); ++(d.*member)) all.push_back(d);
+  }
+  return all;
+}
+
 /// Every reciprocal that there is.
 std::vector<Design> all_reciprocals(const Design& design) {
   std::vector<Design> all;
-  for (int k = 12; k <= 32; ++k) {
-    const auto add = [&](ReciprocalScheme scheme, int lut_bits, int newton_steps) {
-      Design d = design;
-      d.reciprocal_scheme = scheme;
-      d.reciprocal_lut_bits = lut_bits;
-      d.reciprocal_newton_steps = newton_steps;
-      d.reciprocal_bits = k;
-      fit_fractions(&d);
-      all.push_back(d);
-    };
-    // What a scheme does not use stays as it is.
-    const int steps_now = design.reciprocal_newton_steps;
-    add(ReciprocalScheme::kRestoring2, design.reciprocal_lut_bits, steps_now);
-    add(ReciprocalScheme::kRestoring4, design.reciprocal_lut_bits, steps_now);
-    for (int lut_bits = 4; lut_bits <= 12; ++lut_bits) {
-      add(ReciprocalScheme::kQuadratic, lut_bits, steps_now);
-      for (const int steps : {0, 1, 2}) add(ReciprocalScheme::kNewton, lut_bits, steps);
-    }
+  for (const spec::Scheme& scheme : spec::kReciprocalSchemes) {
+    if (scheme.value == ReciprocalScheme::kNone) continue;
+    Design d = design;
+    d.reciprocal_scheme = scheme.value;
+    all.push_back(d);
   }
+  all = each_value(all, &Design::reciprocal_lut_bits);
+  all = each_value(all, &Design::reciprocal_newton_steps);
+  all = each_value(all, &Design::reciprocal_bits);
+  for (Design& d : all) fit_fractions(&d);
   return all;
 }
 

@@ -88,7 +88,7 @@ int64_t setup_product_bits(const spec::Design& d) {
   int64_t bits = 8 * coordinate * coordinate;
   bits += plane(w.depth_in, w.depth_numerator, w.depth_plane);
   bits += 4 * plane(d.attribute_bits, w.attr_numerator, w.attr_plane);
-  if (d.reciprocal_scheme == spec::ReciprocalScheme::kNewton) {
+  if (spec::scheme_of(d).has_newton_steps) {
     bits += int64_t{2} * d.reciprocal_newton_steps * (k + 2) * (k + 2);
   }
   return bits;

@@ -17,15 +17,13 @@ using spec::SetupStyle;
 constexpr const char* kReciprocal = "reciprocal";
 
 std::string reciprocal_text(const Design& d) {
-  switch (d.reciprocal_scheme) {
-    case ReciprocalScheme::kNewton:
-      return fmt::format("LUT{} + {}N, k{}", d.reciprocal_lut_bits, d.reciprocal_newton_steps,
-                         d.reciprocal_bits);
-    case ReciprocalScheme::kQuadratic:
-      return fmt::format("quadratic LUT{}, k{}", d.reciprocal_lut_bits, d.reciprocal_bits);
-    default:
-      return fmt::format("{}, k{}", spec::name_of(d.reciprocal_scheme), d.reciprocal_bits);
-  }
+  const spec::Scheme& scheme = spec::scheme_of(d);
+  const std::string lut = fmt::format("LUT{}", d.reciprocal_lut_bits);
+  const std::string what = scheme.has_newton_steps
+                               ? fmt::format("{} + {}N", lut, d.reciprocal_newton_steps)
+                           : scheme.rom != nullptr ? fmt::format("{} {}", scheme.word, lut)
+                                                   : scheme.word;
+  return fmt::format("{}, k{}", what, d.reciprocal_bits);
 }
 
 /// Collects the points of a base.

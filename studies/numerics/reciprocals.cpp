@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "model/core/reciprocal.h"
-#include "model/spec/reciprocal_rom.h"
 
 namespace pineda::studies {
 namespace {
@@ -56,15 +55,6 @@ Design scheme(ReciprocalScheme s, int lut_bits, int newton_steps, int k) {
 
 double ReciprocalError::good_bits() const { return -std::log2(error); }
 
-int64_t reciprocal_rom_size_bits(const Design& d) {
-  const int64_t entries = int64_t{1} << d.reciprocal_lut_bits;
-  if (d.reciprocal_scheme == ReciprocalScheme::kNewton) {
-    return entries * spec::reciprocal_rom_bits(d);
-  }
-  if (d.reciprocal_scheme != ReciprocalScheme::kQuadratic) return 0;
-  return entries * spec::parabola_bits(d);
-}
-
 ReciprocalError reciprocal_error(const Design& design, int64_t most) {
   const int bits = spec::reciprocal_working_bits(design);
   // The areas of the widest triangles have this many bits.
@@ -79,7 +69,7 @@ ReciprocalError reciprocal_error(const Design& design, int64_t most) {
   // An odd stride visits every residue, so every part of a cell.
   const int64_t stride = (mantissas / most) | 1;
   for (int64_t m = mantissas; m < 2 * mantissas; m += stride) search.try_mantissa(m, below);
-  const int64_t cell = mantissas >> std::max(design.reciprocal_lut_bits, 1);
+  const int64_t cell = mantissas >> std::max(spec::tamed(design).reciprocal_lut_bits, 1);
   for (int64_t edge = mantissas; edge <= 2 * mantissas; edge += cell) {
     for (int64_t near = -2000; near <= 2000; ++near) {
       const int64_t m = std::clamp(edge + near, mantissas, 2 * mantissas - 1);

@@ -9,9 +9,6 @@
 
 namespace pineda::studies {
 
-/// Bits of the ROM; 0 for a division.
-int64_t reciprocal_rom_size_bits(const spec::Design& design);
-
 /// The greatest relative error of a reciprocal, and where.
 struct ReciprocalError {
   double error = 0;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/spec/reciprocal_rom.h"
+#include "model/spec/reciprocal/schemes.h"
 #include "tests/core/support.h"
 
 namespace pineda::test {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "model/spec/fields.h"
-#include "model/spec/reciprocal_rom.h"
+#include "model/spec/reciprocal/schemes.h"
 #include "model/spec/widths.h"
 #include "tests/spec/schemes.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "model/spec/design.h"
 #include "model/spec/raster_state.h"
+#include "model/spec/reciprocal/schemes.h"
 
 namespace pineda::spec {
 namespace {
@@ -17,7 +17,7 @@ TEST(Names, EachTableHasItsEnumerationInOrderAndWordsThatDiffer) {
   EXPECT_EQ(fault(kCullNames, Cull::kFront), "");
   EXPECT_EQ(fault(kShadeNames, Shade::kFlat), "");
   EXPECT_EQ(fault(kDepthFuncNames, DepthFunc::kAlways), "");
-  EXPECT_EQ(fault(kReciprocalSchemeNames, ReciprocalScheme::kNone), "");
+  EXPECT_EQ(fault(kReciprocalSchemes, ReciprocalScheme::kNone), "");
   EXPECT_EQ(fault(kSetupStyleNames, SetupStyle::kSerial), "");
 }
 

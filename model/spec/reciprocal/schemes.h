@@ -1,0 +1,27 @@
+// The table of the reciprocal's schemes, and what designs ask it.
+#pragma once
+
+#include "model/spec/reciprocal/newton.h"
+#include "model/spec/reciprocal/quadratic.h"
+#include "model/spec/reciprocal/remainders.h"
+#include "model/spec/reciprocal/restoring.h"
+
+namespace pineda::spec {
+
+/// In the order of the enumeration: a row a line.
+inline constexpr Scheme kReciprocalSchemes[] = {
+    newton::kScheme,     quadratic::kScheme,  restoring::kScheme2,
+    restoring::kScheme4, remainders::kScheme,
+};
+constexpr const auto& names(ReciprocalScheme) { return kReciprocalSchemes; }
+
+constexpr const Scheme& scheme_of(const Design& d) { return row_of(d.reciprocal_scheme); }
+constexpr bool has_rom(const Design& d) { return scheme_of(d).rom != nullptr; }
+constexpr int reciprocal_cycles(const Design& d) { return scheme_of(d).cycles(d); }
+
+/// Bits of the ROM; 0 if there is none.
+constexpr int64_t reciprocal_rom_size_bits(const Design& d) {
+  return has_rom(d) ? (int64_t{1} << d.reciprocal_lut_bits) * scheme_of(d).rom->entry_bits(d) : 0;
+}
+
+}  // namespace pineda::spec
