@@ -28,7 +28,7 @@ class Tiled {
 
  private:
   spec::Design design_;
-  core::TileCover cover_;
+  fast::TileCover cover_;
   spec::SetupPrim prim_;
   spec::Stamp stamp_;
   timing::TileToken tile_;
