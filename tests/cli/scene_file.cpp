@@ -61,8 +61,8 @@ std::string ptrb_bytes(const Scene& scene, bool with_w) {
 }
 
 Triangle Random::any_order(Triangle t) {
-  std::rotate(t.begin(), t.begin() + in(0, 2), t.end());
-  if (in(0, 1) == 1) std::swap(t[1], t[2]);
+  std::rotate(t.begin(), t.begin() + between(0, 2), t.end());
+  if (between(0, 1) == 1) std::swap(t[1], t[2]);
   return t;
 }
 
