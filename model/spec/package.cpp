@@ -163,7 +163,7 @@ std::string rom_entry_text(const std::vector<RomPart>& entry) {
 // The ROM as a function; nothing for a scheme without one.
 std::string reciprocal_rom_text(const Design& d) {
   if (!has_reciprocal(d) || !has_rom(d)) return {};
-  const ReciprocalRom& rom = *scheme_of(d).rom;
+  const ReciprocalRom& rom = scheme_of(d).rom;
   std::string text = fmt::format(
       "  // {}\n  function automatic logic [RECIPROCAL_ROM_BITS-1:0] reciprocal_rom(\n"
       "      input logic [RECIPROCAL_LUT_BITS-1:0] index);\n    case (index)\n",

@@ -161,10 +161,11 @@ std::string range_reason(const Design& design);
 /// value. Everything that takes a Contract has such a design.
 constexpr Design tamed(Design d) {
   for (const Parameter& p : kParameters) {
-    const auto* number = std::get_if<Number>(&p.member);
-    if (number == nullptr || p.used(d)) continue;
-    int& value = d.*number->member;
-    value = std::clamp(value, 0, std::max(number->high(d), 0));
+    // (Under GCC's sanitizers std::get_if is no constant.)
+    if (!std::holds_alternative<Number>(p.member) || p.used(d)) continue;
+    const auto& number = std::get<Number>(p.member);
+    int& value = d.*number.member;
+    value = std::clamp(value, 0, std::max(number.high(d), 0));
   }
   return d;
 }

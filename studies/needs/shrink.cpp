@@ -59,7 +59,7 @@ std::string reciprocal_text(const Design& d) {
   if (!spec::has_reciprocal(d)) return "-";
   const spec::Scheme& scheme = spec::scheme_of(d);
   std::string text = scheme.word;
-  if (scheme.rom != nullptr) text += fmt::format(" lut {}", d.reciprocal_lut_bits);
+  if (scheme.has_rom) text += fmt::format(" lut {}", d.reciprocal_lut_bits);
   if (scheme.has_newton_steps) text += fmt::format(" steps {}", d.reciprocal_newton_steps);
   return text + fmt::format(" k {}", d.reciprocal_bits);
 }

@@ -21,8 +21,8 @@ std::string reciprocal_text(const Design& d) {
   const std::string lut = fmt::format("LUT{}", d.reciprocal_lut_bits);
   const std::string what = scheme.has_newton_steps
                                ? fmt::format("{} + {}N", lut, d.reciprocal_newton_steps)
-                           : scheme.rom != nullptr ? fmt::format("{} {}", scheme.word, lut)
-                                                   : scheme.word;
+                           : scheme.has_rom ? fmt::format("{} {}", scheme.word, lut)
+                                            : scheme.word;
   return fmt::format("{}, k{}", what, d.reciprocal_bits);
 }
 

@@ -39,8 +39,9 @@ struct ReciprocalRom {
 struct Scheme {
   ReciprocalScheme value;
   const char* word;
-  const char* macro;         // PINEDA_RECIPROCAL_<macro> has the RTL build it
-  const ReciprocalRom* rom;  // or none
+  const char* macro;  // PINEDA_RECIPROCAL_<macro> has the RTL build it
+  bool has_rom;
+  ReciprocalRom rom;  // if it has one
   bool has_newton_steps;
   bool every_cycle;  // its unit takes a number a cycle, as perspective and pipelined setup need
   /// Cycles from the doubled area to its reciprocal, the one that aligns it included.

@@ -16,12 +16,12 @@ inline constexpr Scheme kReciprocalSchemes[] = {
 constexpr const auto& names(ReciprocalScheme) { return kReciprocalSchemes; }
 
 constexpr const Scheme& scheme_of(const Design& d) { return row_of(d.reciprocal_scheme); }
-constexpr bool has_rom(const Design& d) { return scheme_of(d).rom != nullptr; }
+constexpr bool has_rom(const Design& d) { return scheme_of(d).has_rom; }
 constexpr int reciprocal_cycles(const Design& d) { return scheme_of(d).cycles(d); }
 
 /// Bits of the ROM; 0 if there is none.
 constexpr int64_t reciprocal_rom_size_bits(const Design& d) {
-  return has_rom(d) ? (int64_t{1} << d.reciprocal_lut_bits) * scheme_of(d).rom->entry_bits(d) : 0;
+  return has_rom(d) ? (int64_t{1} << d.reciprocal_lut_bits) * scheme_of(d).rom.entry_bits(d) : 0;
 }
 
 }  // namespace pineda::spec
