@@ -32,7 +32,8 @@ struct ErrorBounds {
 /// mean are no more than half the range: u = 2^-n from n mantissa bits of 1/w rounded (2^-n at
 /// 1/2). Products cut off at 2^-25 of the greatest move it by three of those, the reciprocal by
 /// itself, and two weights rounded by 2^-25 each by that.
-inline ErrorBounds error_bounds_before_rounding(const Design& d) {
+inline ErrorBounds error_bounds_before_rounding(const Design& design) {
+  const Design d = tamed(design);
   if (!has_reciprocal(d)) return {0, 0};
   const double reciprocal = reciprocal_error_bound(d);
   const double span_px = std::exp2(d.guard_bits + 1);

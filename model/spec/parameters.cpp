@@ -15,7 +15,7 @@ double in_key_unit(const Number& number, int member) {
 }
 
 std::string end_text(const Number& number, const Limit& end) {
-  return end.of_design ? end.text : fmt::format("{}", in_key_unit(number, end.number));
+  return end.is_number() ? fmt::format("{}", in_key_unit(number, end.number)) : end.text;
 }
 
 std::string range_reason(const Parameter& p, const Design& d) {

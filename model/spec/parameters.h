@@ -14,10 +14,11 @@ namespace pineda::spec {
 /// An end of a range: a number, or what the design's other parameters allow.
 struct Limit {
   int number;
+  const char* text = "";  // of the other parameters, by their keys; empty: the number
   int (*of_design)(const Design&) = nullptr;
-  const char* text = "";  // of of_design, by the keys of a file
 
-  constexpr int operator()(const Design& d) const { return of_design ? of_design(d) : number; }
+  constexpr bool is_number() const { return *text == '\0'; }
+  constexpr int operator()(const Design& d) const { return is_number() ? number : of_design(d); }
 };
 
 /// A whole number from `low` to `high`, both in the member's unit.
@@ -88,7 +89,7 @@ inline constexpr Parameter kParameters[] = {
     {"attributes", Number{&Design::attributes, {0}, {kMaxAttributes}}, having::anything, "",
      "interpolated; they come first"},
     {"flat_attributes",
-     Number{&Design::flat_attributes, {0}, {0, most::flat_attributes, "16 - `attributes`"}},
+     Number{&Design::flat_attributes, {0}, {0, "16 - `attributes`", most::flat_attributes}},
      having::anything, "", "those of a triangle's first vertex"},
     {"attribute_bits", Number{&Design::attribute_bits, {1}, {16}}, having::anything, "bits",
      "each attribute"},
@@ -105,10 +106,10 @@ inline constexpr Parameter kParameters[] = {
     {"tile_fraction_bits",
      Number{&Design::tile_fraction_bits,
             {1},
-            {0, most::tile_fraction_bits, "`gradient_fraction_bits`"}},
+            {0, "`gradient_fraction_bits`", most::tile_fraction_bits}},
      having::reciprocal, "bits", "F': the same inside a tile"},
     {"tile_px",
-     Number{&Design::tile_log2, {2}, {0, most::tile_log2, "64, and below 2^`guard_bits`"}, true},
+     Number{&Design::tile_log2, {2}, {0, "64, and below 2^`guard_bits`", most::tile_log2}, true},
      having::anything, "px", "side of a tile, tested in one cycle"},
     {"stamp_width_px", Number{&Design::stamp_width_log2, {0}, {2}, true}, having::anything, "px",
      "columns of samples in one cycle", 1},
@@ -129,7 +130,7 @@ inline constexpr Parameter kParameters[] = {
     {"depth_latency_cycles",
      Number{&Design::depth_latency_cycles,
             {1},
-            {0, most::depth_latency_cycles, "`max_depth_latency_cycles`"}},
+            {0, "`max_depth_latency_cycles`", most::depth_latency_cycles}},
      having::anything, "cycles", "the depth memory's, by default", 2, having::depth},
     {"max_depth_latency_cycles", Number{&Design::max_depth_latency_cycles, {1}, {1024}},
      having::anything, "cycles",
@@ -161,7 +162,6 @@ std::string range_reason(const Design& design);
 /// value. Everything that takes a Contract has such a design.
 constexpr Design tamed(Design d) {
   for (const Parameter& p : kParameters) {
-    // (Under GCC's sanitizers std::get_if is no constant.)
     if (!std::holds_alternative<Number>(p.member) || p.used(d)) continue;
     const auto& number = std::get<Number>(p.member);
     int& value = d.*number.member;

@@ -30,8 +30,8 @@ constexpr Design whole() {
 /// Every number that a design does not use is `value`.
 constexpr Design unused_are(Design d, int value) {
   for (const Parameter& p : kParameters) {
-    const auto* number = std::get_if<Number>(&p.member);
-    if (number != nullptr && !p.used(d)) d.*number->member = value;
+    if (!std::holds_alternative<Number>(p.member) || p.used(d)) continue;
+    d.*std::get<Number>(p.member).member = value;
   }
   return d;
 }

@@ -84,19 +84,9 @@ constexpr int64_t logic_bits(const Design& d, int) {
   return int64_t{2} * d.reciprocal_newton_steps * bits * bits;
 }
 
-inline constexpr Scheme kScheme{ReciprocalScheme::kNewton,
-                                "newton",
-                                "NEWTON",
-                                true,
-                                kRom,
-                                true,
-                                true,
-                                cycles,
-                                serial_setup_steps,
-                                error_bound,
-                                invalid_reason,
-                                constants,
-                                logic_bits};
+inline constexpr Scheme kScheme{
+    ReciprocalScheme::kNewton, "newton",    "NEWTON",       true,      true,       true, cycles,
+    serial_setup_steps,        error_bound, invalid_reason, constants, logic_bits, kRom};
 
 }  // namespace newton
 }  // namespace pineda::spec

@@ -102,19 +102,9 @@ constexpr int64_t logic_bits(const Design& d, int) {
   return t * (t + parabola_c1_bits(d) + parabola_c2_bits(d));
 }
 
-inline constexpr Scheme kScheme{ReciprocalScheme::kQuadratic,
-                                "quadratic",
-                                "QUADRATIC",
-                                true,
-                                kRom,
-                                false,
-                                true,
-                                cycles,
-                                serial_setup_steps,
-                                error_bound,
-                                invalid_reason,
-                                constants,
-                                logic_bits};
+inline constexpr Scheme kScheme{
+    ReciprocalScheme::kQuadratic, "quadratic", "QUADRATIC",    true,      false,      true, cycles,
+    serial_setup_steps,           error_bound, invalid_reason, constants, logic_bits, kRom};
 
 }  // namespace quadratic
 }  // namespace pineda::spec

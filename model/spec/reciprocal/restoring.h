@@ -38,19 +38,9 @@ constexpr int64_t logic_bits(const Design&, int area2_bits) {
 
 template <int RadixBits>
 constexpr Scheme scheme(ReciprocalScheme value, const char* word) {
-  return {value,
-          word,
-          "RESTORING",
-          false,
-          {},
-          false,
-          false,
-          cycles<RadixBits>,
-          serial_setup_steps<RadixBits>,
-          error_bound,
-          invalid_reason,
-          constants<RadixBits>,
-          logic_bits<RadixBits>};
+  return {value,       word,           "RESTORING",          false,
+          false,       false,          cycles<RadixBits>,    serial_setup_steps<RadixBits>,
+          error_bound, invalid_reason, constants<RadixBits>, logic_bits<RadixBits>};
 }
 
 inline constexpr Scheme kScheme2 = scheme<1>(ReciprocalScheme::kRestoring2, "restoring2");

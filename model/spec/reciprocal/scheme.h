@@ -29,11 +29,11 @@ struct RomPart {
 
 /// A ROM of 2^reciprocal_lut_bits entries.
 struct ReciprocalRom {
-  int (*entry_bits)(const Design&);
+  int (*entry_bits)(const Design&) = nullptr;
   /// The parts of an entry, the first one on top.
-  std::vector<RomPart> (*entry)(const Design&, int index);
+  std::vector<RomPart> (*entry)(const Design&, int index) = nullptr;
   /// What an entry stands for, in a line of the package.
-  std::string (*meaning)(const Design&);
+  std::string (*meaning)(const Design&) = nullptr;
 };
 
 struct Scheme {
@@ -41,7 +41,6 @@ struct Scheme {
   const char* word;
   const char* macro;  // PINEDA_RECIPROCAL_<macro> has the RTL build it
   bool has_rom;
-  ReciprocalRom rom;  // if it has one
   bool has_newton_steps;
   bool every_cycle;  // its unit takes a number a cycle, as perspective and pipelined setup need
   /// Cycles from the doubled area to its reciprocal, the one that aligns it included.
@@ -58,6 +57,7 @@ struct Scheme {
   std::vector<Constant> (*constants)(const Design&);
   /// Bits of partial products and of adders that it is built from, without its ROM.
   int64_t (*logic_bits)(const Design&, int area2_bits);
+  ReciprocalRom rom = {};  // if it has one
 };
 
 }  // namespace pineda::spec

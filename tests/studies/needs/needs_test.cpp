@@ -177,6 +177,16 @@ TEST(DesignCost, FallsWithEachParameter) {
   }
 }
 
+TEST(DesignCost, WhatASchemeDoesNotUseCostsNothing) {
+  spec::Design d = *spec::find_design("div28");
+  const DesignCost cost = design_cost(d);
+  for (const int anything : {-1, 12, 1000000}) {
+    d.reciprocal_lut_bits = d.reciprocal_newton_steps = d.inverse_w_bits = anything;
+    EXPECT_EQ(design_cost(d).reciprocal, cost.reciprocal);
+    EXPECT_EQ(design_cost(d).total(), cost.total());
+  }
+}
+
 TEST(ReciprocalFront, RisesInCostAndFallsInError) {
   const auto front = reciprocal_front(spec::kHighTile);
   EXPECT_GT(front.size(), 8u);
