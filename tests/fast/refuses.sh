@@ -1,6 +1,6 @@
 #!/bin/sh
 # refuses.sh TESTS: the program of tests starts, runs, and some test fails.
-out=$("$1" 2>&1)
+out=$(GTEST_FAIL_FAST=1 "$1" 2>&1)
 status=$?
 echo "$out" | grep -E '^\[  (FAILED|PASSED)' | tail -n 5
 [ "$status" -eq 1 ] && echo "$out" | grep -q '^\[  FAILED  \]'
