@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/core/frame.h"
-#include "model/timing/cycles.h"
+#include "model/timing/counted/cycles.h"
 #include "tb/bench_plugin.h"
 
 namespace pineda::tb {

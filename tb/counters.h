@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/timing/counters.h"
+#include "model/timing/counted/counters.h"
 #include "tb/rtl.h"
 
 namespace pineda::tb {

@@ -9,7 +9,7 @@
 #include "model/core/frame.h"
 #include "model/memory/stalls.h"
 #include "model/memory/timing.h"
-#include "model/timing/listener.h"
+#include "model/timing/counted/listener.h"
 #include "tb/stream.h"
 
 namespace pineda::tb {

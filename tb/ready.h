@@ -1,7 +1,7 @@
 // The stalls of the benches, as the cycle model takes them.
 #pragma once
 
-#include "model/timing/memory.h"
+#include "model/timing/ports/memory.h"
 
 namespace pineda::tb {
 

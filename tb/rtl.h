@@ -9,7 +9,7 @@
 #include <string>
 
 #include "model/spec/pack.h"
-#include "model/timing/cycles.h"
+#include "model/timing/counted/cycles.h"
 #include "tb/plugin.h"
 
 namespace pineda::tb {

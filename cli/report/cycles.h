@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/output.h"
-#include "model/timing/counters.h"
+#include "model/timing/counted/counters.h"
 
 namespace pineda::cli {
 

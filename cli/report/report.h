@@ -8,7 +8,7 @@
 #include "cli/report/differ.h"
 #include "cli/report/judge.h"
 #include "model/scene/scene.h"
-#include "model/timing/counters.h"
+#include "model/timing/counted/counters.h"
 
 namespace pineda::cli {
 

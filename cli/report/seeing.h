@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "cli/job.h"
-#include "model/timing/listener.h"
+#include "model/timing/counted/listener.h"
 
 namespace pineda::cli {
 

@@ -1,12 +1,12 @@
 // The rasterizer in time: setup -> traversal -> interpolation and depth test.
 #pragma once
 
-#include "model/timing/counters.h"
-#include "model/timing/frame_memory.h"
-#include "model/timing/interp_ztest_unit.h"
-#include "model/timing/setup_unit.h"
-#include "model/timing/traversal_unit.h"
-#include "model/timing/triangle_source.h"
+#include "model/timing/counted/counters.h"
+#include "model/timing/ports/frame_memory.h"
+#include "model/timing/units/interp_ztest_unit.h"
+#include "model/timing/units/setup_unit.h"
+#include "model/timing/units/traversal_unit.h"
+#include "model/timing/units/triangle_source.h"
 
 namespace pineda::timing {
 

@@ -10,7 +10,7 @@
 //          HIERARCHICAL_Z_DELAY_CYCLES ago and before.
 // Rate     a look-up and an update a cycle.
 // Drops    updates of tiles beyond HIERARCHICAL_Z_TILES.
-// Twin     model/timing/hierarchical_z.cpp.
+// Twin     model/timing/units/hierarchical_z.cpp.
 `ifdef PINEDA_HIERARCHICAL_Z
 module hierarchical_z #(
   parameter int unsigned FlagsLog2 = 12  // the flags of so many tiles are one register

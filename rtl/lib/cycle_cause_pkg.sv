@@ -1,6 +1,6 @@
 // What a unit does in a cycle, as its counters number it. In simulation alone.
 //
-// Twin     Cause in model/timing/cycles.h.
+// Twin     Cause in model/timing/counted/cycles.h.
 `ifdef PINEDA_COUNTERS
 package cycle_cause_pkg;
   localparam int unsigned CAUSES = 5;

@@ -8,7 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "model/timing/counters.h"
+#include "model/timing/counted/counters.h"
 #include "model/timing/raster_top.h"
 #include "studies/cycles/child.h"
 #include "studies/cycles/retirement.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/timing/listener.h"
+#include "model/timing/counted/listener.h"
 
 namespace pineda::studies {
 

@@ -5,7 +5,7 @@
 #include <deque>
 #include <limits>
 
-#include "model/timing/listener.h"
+#include "model/timing/counted/listener.h"
 
 namespace pineda::studies {
 

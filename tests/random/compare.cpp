@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "model/scene/scene.h"
-#include "model/timing/counters.h"
+#include "model/timing/counted/counters.h"
 #include "studies/cycles/child.h"
 #include "tb/ready.h"
 #include "tests/timing/support.h"

@@ -26,7 +26,7 @@
 #include "Vsetup_tiny.h"
 #include "Vsetup_wide.h"
 #include "Vsetup_wide_scissor.h"
-#include "model/timing/setup_unit.h"
+#include "model/timing/units/setup_unit.h"
 #include "tests/rtl/setup_bench.h"
 
 namespace pineda::tb {

@@ -1,5 +1,5 @@
 // The table of counters: each one stands in it once, under a name and a place of its own.
-#include "model/timing/counters.h"
+#include "model/timing/counted/counters.h"
 
 #include <gtest/gtest.h>
 

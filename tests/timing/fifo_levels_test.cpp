@@ -1,5 +1,5 @@
 // FifoLevels against a count of every cycle.
-#include "model/timing/fifo_levels.h"
+#include "model/timing/counted/fifo_levels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // TimedFifo between a producer and a consumer with scripted times, cycles worked by hand.
 #include <gtest/gtest.h>
 
-#include "model/timing/stream.h"
+#include "model/timing/units/stream.h"
 
 namespace pineda::test {
 namespace {

@@ -1,5 +1,5 @@
 // The memory that is shipped: for initiators that know nothing of it, and behind the rasterizer.
-#include "model/timing/frame_memory.h"
+#include "model/timing/ports/frame_memory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // InFlight against a cycle kept for every stamp.
-#include "model/timing/in_flight.h"
+#include "model/timing/units/in_flight.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Interpolation and depth test on its own: the model's cycles are those of the Verilated unit,
 // write by write, in every kind of design and raster state.
 #include "model/memory/kinds.h"
-#include "model/timing/frame_memory.h"
+#include "model/timing/ports/frame_memory.h"
 #include "tb/ready.h"
 #include "tests/rtl/support.h"
 #include "tests/timing/support.h"

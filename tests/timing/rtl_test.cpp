@@ -7,7 +7,7 @@
 #include "model/scene/scene.h"
 #include "model/spec/clear_depth.h"
 #include "model/spec/design_file.h"
-#include "model/timing/counters.h"
+#include "model/timing/counted/counters.h"
 #include "tb/frame_bench.h"
 #include "tb/ready.h"
 #include "tests/timing/support.h"

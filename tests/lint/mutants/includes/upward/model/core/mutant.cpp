@@ -1,2 +1,2 @@
 // The core knows no time.
-#include "model/timing/stream.h"
+#include "model/timing/units/stream.h"

@@ -1,4 +1,4 @@
-#include "model/timing/memory.h"
+#include "model/timing/ports/memory.h"
 
 namespace pineda::timing {
 

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "model/timing/in_flight.h"
-#include "model/timing/local_time.h"
-#include "model/timing/memory.h"
-#include "model/timing/ring.h"
-#include "model/timing/tokens.h"
+#include "model/timing/ports/memory.h"
+#include "model/timing/units/in_flight.h"
+#include "model/timing/units/local_time.h"
+#include "model/timing/units/ring.h"
+#include "model/timing/units/tokens.h"
 
 namespace pineda::timing {
 

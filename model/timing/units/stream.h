@@ -6,8 +6,8 @@
 #include <systemc>
 #include <vector>
 
-#include "model/timing/fifo_levels.h"
-#include "model/timing/frame.h"
+#include "model/timing/counted/fifo_levels.h"
+#include "model/timing/units/frame.h"
 
 namespace pineda::timing {
 

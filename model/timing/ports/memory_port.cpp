@@ -1,4 +1,4 @@
-#include "model/timing/memory_port.h"
+#include "model/timing/ports/memory_port.h"
 
 #include <algorithm>
 #include <cstring>

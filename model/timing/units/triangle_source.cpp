@@ -1,4 +1,4 @@
-#include "model/timing/triangle_source.h"
+#include "model/timing/units/triangle_source.h"
 
 #include <algorithm>
 

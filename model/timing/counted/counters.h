@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/core/frame_counters.h"
-#include "model/timing/cycles.h"
+#include "model/timing/counted/cycles.h"
 
 namespace pineda::timing {
 

@@ -1,7 +1,7 @@
 // Local time of a unit: an integer count of cycles, and what each cycle was spent on.
 #pragma once
 
-#include "model/timing/frame.h"
+#include "model/timing/units/frame.h"
 
 namespace pineda::timing {
 

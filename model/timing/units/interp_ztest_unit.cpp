@@ -1,4 +1,4 @@
-#include "model/timing/interp_ztest_unit.h"
+#include "model/timing/units/interp_ztest_unit.h"
 
 #include <algorithm>
 #include <limits>

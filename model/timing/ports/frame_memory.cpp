@@ -1,4 +1,4 @@
-#include "model/timing/frame_memory.h"
+#include "model/timing/ports/frame_memory.h"
 
 #include <algorithm>
 #include <cstring>

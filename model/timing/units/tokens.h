@@ -2,7 +2,7 @@
 // stamps, which are places in a tile. Nothing is copied; a token lives as long as the call.
 #pragma once
 
-#include "model/timing/stream.h"
+#include "model/timing/units/stream.h"
 
 namespace pineda::timing {
 

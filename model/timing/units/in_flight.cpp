@@ -1,4 +1,4 @@
-#include "model/timing/in_flight.h"
+#include "model/timing/units/in_flight.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "model/timing/cycles.h"
+#include "model/timing/counted/cycles.h"
 
 namespace pineda::timing {
 namespace {

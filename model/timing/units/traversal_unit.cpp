@@ -1,4 +1,4 @@
-#include "model/timing/traversal_unit.h"
+#include "model/timing/units/traversal_unit.h"
 
 #include <algorithm>
 

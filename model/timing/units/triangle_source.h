@@ -4,8 +4,8 @@
 #include <exception>
 #include <functional>
 
-#include "model/timing/memory.h"
-#include "model/timing/stream.h"
+#include "model/timing/ports/memory.h"
+#include "model/timing/units/stream.h"
 
 namespace pineda::timing {
 

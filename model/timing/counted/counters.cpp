@@ -1,4 +1,4 @@
-#include "model/timing/counters.h"
+#include "model/timing/counted/counters.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "model/memory/layout.h"
-#include "model/timing/cycles.h"
+#include "model/timing/counted/cycles.h"
 
 namespace pineda::timing {
 

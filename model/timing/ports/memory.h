@@ -6,8 +6,8 @@
 
 #include "model/core/frame.h"
 #include "model/memory/stalls.h"
-#include "model/timing/cycles.h"
-#include "model/timing/memory_port.h"
+#include "model/timing/counted/cycles.h"
+#include "model/timing/ports/memory_port.h"
 
 namespace pineda::timing {
 

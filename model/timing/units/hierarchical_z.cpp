@@ -1,4 +1,4 @@
-#include "model/timing/hierarchical_z.h"
+#include "model/timing/units/hierarchical_z.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/spec/structs.h"
-#include "model/timing/cycles.h"
+#include "model/timing/counted/cycles.h"
 
 namespace pineda::timing {
 

@@ -1,4 +1,4 @@
-#include "model/timing/last_write.h"
+#include "model/timing/units/last_write.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "model/timing/fifo_levels.h"
+#include "model/timing/counted/fifo_levels.h"
 
 #include <algorithm>
 #include <cstddef>

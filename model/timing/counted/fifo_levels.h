@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "model/timing/cycles.h"
+#include "model/timing/counted/cycles.h"
 
 namespace pineda::timing {
 

@@ -1,4 +1,4 @@
-#include "model/timing/setup_unit.h"
+#include "model/timing/units/setup_unit.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/spec/structs.h"
-#include "model/timing/cycles.h"
+#include "model/timing/counted/cycles.h"
 
 namespace pineda::timing {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "model/timing/local_time.h"
-#include "model/timing/tokens.h"
+#include "model/timing/units/local_time.h"
+#include "model/timing/units/tokens.h"
 
 namespace pineda::timing {
 

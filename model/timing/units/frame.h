@@ -4,9 +4,9 @@
 #include "model/core/frame_counters.h"
 #include "model/fast/setup.h"
 #include "model/fast/tile_shader.h"
-#include "model/timing/hierarchical_z.h"
-#include "model/timing/last_write.h"
-#include "model/timing/listener.h"
+#include "model/timing/counted/listener.h"
+#include "model/timing/units/hierarchical_z.h"
+#include "model/timing/units/last_write.h"
 
 namespace pineda::timing {
 

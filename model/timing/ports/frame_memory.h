@@ -8,8 +8,8 @@
 
 #include "model/core/frame.h"
 #include "model/memory/timing.h"
-#include "model/timing/memory.h"
-#include "model/timing/memory_port.h"
+#include "model/timing/ports/memory.h"
+#include "model/timing/ports/memory_port.h"
 
 namespace pineda::timing {
 

@@ -3,8 +3,8 @@
 
 #include <deque>
 
-#include "model/timing/frame.h"
-#include "model/timing/stream.h"
+#include "model/timing/units/frame.h"
+#include "model/timing/units/stream.h"
 
 namespace pineda::timing {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/fast/tile_shader.h"
-#include "model/timing/cycles.h"
+#include "model/timing/counted/cycles.h"
 
 namespace pineda::timing {
 
