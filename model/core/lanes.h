@@ -1,6 +1,8 @@
 // The samples of a stamp, a bit of a mask each.
 #pragma once
 
+#include <cstdint>
+
 #include "model/spec/design.h"
 
 namespace pineda::core {

@@ -56,7 +56,6 @@ size_t at(int i) { return static_cast<size_t>(i); }
 size_t owner(const Contract& c, int i) { return at(i / c.design.attributes); }
 size_t channel(const Contract& c, int i) { return at(i % c.design.attributes); }
 
-// What the samples of a triangle get their values from; planes have `f` fraction bits.
 /// "none/back/front".
 template <class Value>
 const char* choices() {
@@ -64,11 +63,13 @@ const char* choices() {
   return text.c_str();
 }
 
+// What the samples of a triangle get their values from; planes have `f` fraction bits.
 template <class T>
 Table<T> plane_fields(const Contract& c, int depth_bits, int attr_bits, int f) {
   const Design& d = c.design;
-  const int depth = d.depth_test ? 1 : 0;
-  const int n = d.perspective ? 0 : d.attributes;
+  const bool has_planes = d.reciprocal_scheme != ReciprocalScheme::kNone;
+  const int depth = has_planes && d.depth_test ? 1 : 0;
+  const int n = has_planes && !d.perspective ? d.attributes : 0;
   const int vertices = d.perspective ? 3 : 0;
   return {
       {"z_dx", "code/px", true, depth_bits, f, depth, PINEDA_ACCESS(T, s.planes.z.dx)},

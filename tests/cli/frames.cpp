@@ -58,8 +58,8 @@ Scene guard_band() {
   const std::array<float, 3> values{kLow, 0, kHigh};
   for (int i = 0; i < 24; ++i) {
     const auto corner = [&] {
-      return random.vertex(values[static_cast<size_t>(random.between(0, 2))],
-                           values[static_cast<size_t>(random.between(0, 2))]);
+      const float y = values[static_cast<size_t>(random.between(0, 2))];
+      return random.vertex(values[static_cast<size_t>(random.between(0, 2))], y);
     };
     scene.triangles.push_back({corner(), corner(), corner()});
   }
@@ -77,9 +77,12 @@ Scene beyond_the_guard_band() {
       3e38f, -3e38f,           32768,    -32768,    kInfinity, -kInfinity};
   for (int i = 0; i < 40; ++i) {
     const auto value = [&] { return values[static_cast<size_t>(random.between(0, 11))]; };
-    const Vertex inside = random.vertex(random.uniform(0.f, 67.f), random.uniform(0.f, 45.f));
-    scene.triangles.push_back({inside, random.vertex(value(), random.uniform(0.f, 45.f)),
-                               random.vertex(value(), value())});
+    const float inside_y = random.uniform(0.f, 45.f);
+    const Vertex inside = random.vertex(random.uniform(0.f, 67.f), inside_y);
+    const float beside_y = random.uniform(0.f, 45.f);
+    const Vertex beside = random.vertex(value(), beside_y);
+    const float far_y = value();
+    scene.triangles.push_back({inside, beside, random.vertex(value(), far_y)});
   }
   return scene;
 }
@@ -91,8 +94,8 @@ Scene one_pixel() {
   const std::array<float, 5> values{-1, 0, .5, 1, 2};
   for (int i = 0; i < 60; ++i) {
     const auto corner = [&] {
-      return random.vertex(values[static_cast<size_t>(random.between(0, 4))],
-                           values[static_cast<size_t>(random.between(0, 4))]);
+      const float y = values[static_cast<size_t>(random.between(0, 4))];
+      return random.vertex(values[static_cast<size_t>(random.between(0, 4))], y);
     };
     scene.triangles.push_back({corner(), corner(), corner()});
   }
@@ -105,9 +108,9 @@ Scene tile_borders() {
   Scene scene{41, 27, Cull::kNone, Depth::kLequal, {}};
   for (int i = 0; i < 60; ++i) {
     const auto corner = [&] {
-      return random.vertex(
-          static_cast<float>(8 * random.between(-1, 6)) + .5f * float(random.between(-1, 1)),
-          static_cast<float>(8 * random.between(-1, 4)));
+      const auto y = static_cast<float>(8 * random.between(-1, 4));
+      const auto border = static_cast<float>(8 * random.between(-1, 6));
+      return random.vertex(border + .5f * static_cast<float>(random.between(-1, 1)), y);
     };
     scene.triangles.push_back({corner(), corner(), corner()});
   }
@@ -255,9 +258,10 @@ std::vector<Scene> lone_giants() {
     const auto far = [&] { return random.uniform(-16000.f, 16000.f); };
     const float x = far();
     const float y = far();
-    // The second corner lies opposite to the first, seen from the frame's middle.
-    return random.any_order(
-        {random.vertex(x, y), random.vertex(67 - x, 45 - y), random.vertex(far(), far())});
+    const Vertex first = random.vertex(x, y);
+    const Vertex opposite = random.vertex(67 - x, 45 - y);  // seen from the frame's middle
+    const float third_y = far();
+    return random.any_order({first, opposite, random.vertex(far(), third_y)});
   });
 }
 
@@ -265,7 +269,8 @@ std::vector<Scene> lone_midgets() {
   Random random(44);
   return each_alone(20, 5, 5, [&]() -> Triangle {
     const auto corner = [&] {
-      return random.vertex(random.uniform(1.f, 4.f), random.uniform(1.f, 4.f));
+      const float y = random.uniform(1.f, 4.f);
+      return random.vertex(random.uniform(1.f, 4.f), y);
     };
     return {corner(), corner(), corner()};
   });

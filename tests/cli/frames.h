@@ -1,6 +1,7 @@
 // The hard frames that every command is tried on.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 

@@ -1,5 +1,6 @@
 // Meshes from files as a user sees them: what is drawn, judged and said.
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "tests/cli/program.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <stdexcept>
 
 #include "model/exact/mesh.h"
 #include "model/spec/random.h"
