@@ -1,4 +1,4 @@
-// A scene with the design that draws it, or that it needs.
+// Opens a scene for the design of the options, or for the one that it needs.
 #include "cli/job.h"
 
 #include <memory>

@@ -8,13 +8,13 @@
 
 namespace pineda::cli {
 
-/// What --design auto shrinks.
+/// The design that --design auto shrinks.
 inline constexpr spec::Design kAutoBase{};
 
 /// Says in a command's help that it takes --design auto.
 void allow_auto(CLI::App* command);
 
-/// For open_job(), where every design will do.
+/// A Lack for open_job() that every design passes.
 inline std::string lacks_nothing(const spec::Design&) { return {}; }
 
 /// A scene and what draws it.
@@ -24,15 +24,15 @@ struct Job {
   std::optional<studies::Needs> needs;  // with --design auto
 };
 
-/// Opens the scene for the design of the options; with auto for the smallest that holds it, which
-/// is found first and said. `lack`: why a design will not do, or an empty text.
+/// Opens the scene for the design of the options; with auto for the smallest design that holds on
+/// the scene, which is found first and printed. `lack`: why a design will not do, or an empty text.
 ///
 /// Errors   UsageError: no such design, or it lacks what is needed; scene::InputError.
 Job open_job(const Options& options, Lack lack, bool multi_pass, const Output& output,
              Progress* progress);
 
-/// The scene's notes. Of what the design leaves out they say nothing where the scene needs none of
-/// it.
+/// Prints the scene's notes. Parts that the design leaves out since the scene does not need them
+/// are not noted.
 void print_notes(const Output& output, const Job& job);
 
 /// Why the base itself will not do.

@@ -83,7 +83,7 @@ int run(int argc, char** argv) {
 int sc_main(int argc, char** argv) { return run(argc, argv); }
 
 int main(int argc, char** argv) {
-  // Its banner has no place in a command's output.
+  // SystemC's banner must not appear in a command's output.
   setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
   pineda::files::remove_unfinished_on_signals();
   return sc_core::sc_elab_and_sim(argc, argv);

@@ -17,7 +17,7 @@ inline tb::BenchOptions bench_options(const Options& options, const spec::Contra
   return bench;
 }
 
-/// Elaborates the SystemC model; once a process.
+/// Elaborates the SystemC model, which is possible once per process.
 inline std::unique_ptr<timing::RasterTop> make_model(const spec::Contract& contract,
                                                      const tb::BenchOptions& bench) {
   auto top = std::make_unique<timing::RasterTop>("raster_top", contract);

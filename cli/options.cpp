@@ -208,7 +208,7 @@ scene::Scene open(const Options& o, const spec::Contract& contract, bool multi_p
     options.size = parse_size(o.size);
     if (!options.size) throw UsageError(fmt::format("--size: expected WxH, got '{}'", o.size));
   }
-  // An option that was not given is no word.
+  // The text of an option that was not given is empty and names no value: nothing is set.
   options.cull = spec::named<spec::Cull>(o.cull);
   options.depth = spec::named<spec::DepthFunc>(o.depth);
   options.depth_write = spec::named<bool>(o.depth_write);

@@ -68,7 +68,7 @@ spec::Contract contract_of(const Options& options);
 using Lack = std::string (*)(const spec::Design&);
 /// UsageError where the design lacks something.
 void require_of(const Options& options, const spec::Design& design, Lack lack);
-/// UsageError where a file that an option names ends otherwise; none is named: no word.
+/// UsageError if the file that an option names has another ending; an empty name passes.
 void require_ending(const char* option, const std::string& file,
                     const std::vector<std::string>& endings);
 /// Opens the scene, with `multi_pass` so that it can be rewound.

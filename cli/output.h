@@ -77,16 +77,16 @@ double seconds_of(Call&& call) {
 
 /// Scene, design, size and state, as every command's JSON starts.
 Json header_json(const scene::Scene& scene, const spec::Contract& contract);
-/// What of the raster state, cull and depth function apart, is not as it is by default.
+/// The raster state that differs from the defaults, cull and depth function apart.
 Json unusual_state_json(const spec::FrameState& frame);
 /// What happened to the scene on its way in.
 Json input_json(const scene::Counters& counters);
-/// The counters of core::kFrameCounters.
-/// Without `depth_tests` their outcome is not known, nor what follows from it.
+/// The counters of core::kFrameCounters. Without `depth_tests` the results of depth tests are
+/// unknown, and counters that follow from them are left out.
 Json counters_json(const core::FrameCounters& counters, bool depth_tests = true);
 /// The scene's warnings and notes, one line each.
 void print_notes(const Output& output, const scene::Scene& scene);
-/// The same state, if there is any.
+/// Prints the state of unusual_state_json(), if there is any.
 void print_state(const Output& output, const scene::Scene& scene);
 void print_counters(const Output& output, const core::FrameCounters& counters,
                     bool depth_tests = true);

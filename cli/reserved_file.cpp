@@ -36,7 +36,7 @@ ReservedFile::ReservedFile(const std::string& path) : path_(path), place_(path) 
   fail(path_, why);
 }
 
-// What cannot be made is found when the file is opened.
+// Failures are ignored here: they show when the file is opened.
 void ReservedFile::make_folders(const fs::path& folder) {
   std::error_code error;
   if (folder.empty() || fs::exists(folder, error)) return;

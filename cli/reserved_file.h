@@ -11,9 +11,9 @@
 
 namespace pineda::cli {
 
-/// A place for a file, held under a temporary name: so that it is known before the work, not after
-/// it, that the file can be written. Unless it is kept nothing is left behind, and an older file of
-/// that name stays as it was; nor when a signal ends the program.
+/// Creates a file under a temporary name before the work starts, so that a file that cannot be
+/// written is reported first. Without keep(), and also when a signal ends the program, nothing is
+/// left behind and an older file of that name stays as it was.
 ///
 /// Errors   scene::InputError in one line.
 class ReservedFile {
@@ -28,7 +28,7 @@ class ReservedFile {
   const std::string& temporary() const { return temporary_; }
   std::FILE* file() const { return file_; }
 
-  /// Closes it and puts it in its place; `written`: all of it got through so far.
+  /// Closes the file and moves it to its place; `written`: all writes so far succeeded.
   void keep(bool written);
 
  private:
@@ -39,7 +39,7 @@ class ReservedFile {
   std::string temporary_;
   std::FILE* file_ = nullptr;
   std::vector<std::filesystem::path> made_;  // folders, the inner ones last
-  std::list<files::Unfinished> unfinished_;  // all of these, and what GTKWave's writer adds
+  std::list<files::Unfinished> unfinished_;  // what a signal removes, GTKWave's files included
 };
 
 }  // namespace pineda::cli

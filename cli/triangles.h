@@ -14,7 +14,7 @@ class ChunkedTriangles {
  public:
   static constexpr size_t kChunk = 4096;
 
-  /// Goes on where the source stands: who reads a scene again rewinds it.
+  /// Reads on from where the source stands: to read a scene again, rewind it first.
   ChunkedTriangles(scene::TriangleSource* source, Progress* progress, const char* phase)
       : source_(source), progress_(progress), phase_(phase) {}
 

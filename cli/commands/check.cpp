@@ -20,8 +20,8 @@ struct CheckOptions : Options {
   std::string out;
 };
 
-/// Hands the triangles that a model pulls on to its scoreboard, which is never ahead of it and at
-/// most kBehind triangles behind.
+/// Passes the triangles that a model pulls to its scoreboard, too. The scoreboard is never ahead of
+/// the model, and at most kBehind triangles behind.
 class Tee {
  public:
   static constexpr size_t kBehind = 4096;

@@ -7,7 +7,7 @@
 namespace pineda::cli {
 namespace {
 
-/// Its parameters, then what follows from them. What a design does not have is not said.
+/// The design's parameters, then what follows from them. Parts that it lacks are left out.
 Json design_json(const spec::Design& d) {
   Json json{{"summary", d.summary}};
   for (const spec::Parameter& p : spec::kParameters) {

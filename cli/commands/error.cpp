@@ -23,7 +23,7 @@ struct ErrorOptions : Options {
   bool all_designs = true;
 };
 
-/// "high,med": in this order, each once.
+/// "high,med": the designs in this order, each once.
 std::vector<spec::Design> designs_of(const ErrorOptions& options) {
   if (options.all_designs) return spec::designs();
   std::vector<spec::Design> designs;
@@ -75,7 +75,7 @@ std::vector<studies::SceneTriangle> load(const scene::Scene& scene, const ErrorO
   return triangles;
 }
 
-/// The cycles of each design that has any.
+/// Adds the cycles of the designs that have a cycle model.
 void add_cycles(const std::vector<studies::SceneTriangle>& triangles, const scene::Scene& scene,
                 const std::vector<spec::Design>& designs, Progress* progress,
                 studies::ErrorStudy* study) {
@@ -98,7 +98,7 @@ Json distribution_json(const studies::Distribution& d, const char* unit) {
 
 Json subject_json(const studies::Subject& s, const studies::ErrorStudy& study) {
   const auto triangles = static_cast<double>(study.triangles);
-  // A format of other subpixels has samples of its own.
+  // Designs with other subpixel bits cover other samples.
   const uint64_t covered = s.is_design ? s.judged + s.missing : study.samples;
   const auto samples = static_cast<double>(std::max<uint64_t>(covered, 1));
   Json json{{"summary", s.summary},
@@ -183,7 +183,8 @@ void print(const Output& output, const studies::ErrorStudy& study, const ErrorOp
   }
 }
 
-/// Designs that take a scene the same way are judged in one pass: in the order of their firsts.
+/// Groups designs with the same input formats, which are judged in one pass. Groups are in the
+/// order of their first designs.
 std::vector<std::vector<spec::Design>> by_format(const std::vector<spec::Design>& designs) {
   std::vector<std::vector<spec::Design>> groups;
   for (const spec::Design& d : designs) {
@@ -219,7 +220,7 @@ studies::ErrorStudy study_group(const scene::Scene& scene, const ErrorOptions& o
   return study;
 }
 
-/// The other group's designs go behind those of the first, before the baselines.
+/// Puts another group's designs behind those of the first group, before the baselines.
 void join(studies::ErrorStudy other, studies::ErrorStudy* study) {
   const auto baseline = std::find_if(study->subjects.begin(), study->subjects.end(),
                                      [](const studies::Subject& s) { return !s.is_design; });
@@ -227,7 +228,7 @@ void join(studies::ErrorStudy other, studies::ErrorStudy* study) {
                          std::make_move_iterator(other.subjects.end()));
 }
 
-/// What of the state no textbook algorithm knows; empty: they can be judged.
+/// The raster state that the textbook algorithms do not have; empty: they can be judged.
 std::string unknown_to_baselines(const spec::FrameState& frame) {
   std::string state = scene::unusual_state(frame);
   if (frame.depth > spec::DepthFunc::kOff) {

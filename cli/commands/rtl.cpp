@@ -67,8 +67,8 @@ int run(const RtlOptions& options) {
       result = bench->run(scene.frame, next, listener);
     };
   };
-  // Hits are known only to who looks at the stamps: a dump wants a run with a listener, which is
-  // slower and so not the one that is timed by --bench.
+  // Hits are counted by a listener that sees the stamps. So a dump needs a run with a listener,
+  // which is slower and not the one that --bench times.
   timing::Listener looks;
   timing::Listener* const listener = options.dump.empty() ? nullptr : &looks;
   double seconds = 0;
@@ -84,7 +84,7 @@ int run(const RtlOptions& options) {
   print_notes(output, job);
 
   scene::Frame frame = picture_of(contract, bench->buffer());
-  // Stamps of hidden tiles are never sent: nobody knows how many there would have been.
+  // Stamps of hidden tiles are never sent, so their hits are unknown.
   if (contract.design.hierarchical_z) frame.hits.clear();
   bench.reset();  // closes the waveform
   if (trace) trace->keep(true);

@@ -6,7 +6,7 @@
 namespace pineda::cli {
 namespace {
 
-// As whole cycles, outward.
+// The interval in whole cycles, rounded outward.
 struct Interval {
   explicit Interval(const studies::CycleEstimate& estimate)
       : cycles(std::llround(estimate.cycles)),
@@ -27,7 +27,8 @@ uint64_t count_triangles(scene::SnappedSource* source) {
   return triangles;
 }
 
-// Of the scene as opened: what is counted triangle by triangle is known for the windows alone.
+// Prints the notes that are known once the scene is opened: counts by triangle are known for the
+// windows only.
 void print_opening_notes(const Output& output, const Job& job) {
   scene::Counters counters;
   counters.rounded_slope = job.scene.source->counters().rounded_slope;
@@ -68,7 +69,7 @@ bool holds(const studies::SampleResult& result) {
   return result.estimate.windows_wanted <= result.windows.size();
 }
 
-// An interval that does not hold must not be missed.
+// Warns where too few windows make the interval unreliable.
 void warn_if_too_small(const studies::SampleResult& result, const Job& job, const Output& output) {
   if (holds(result)) return;
   output.warn(

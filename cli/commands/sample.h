@@ -14,10 +14,11 @@ struct SampleOptions {
   std::string share;  // of the triangles, as given; empty: all, nothing is estimated
 };
 
-/// Adds --sample, which goes without what wants every triangle.
+/// Adds --sample, which excludes options that need every triangle.
 void add_sample_options(CLI::App* command, SampleOptions* options);
 
-/// The plan for the job's scene, or none: not asked for, or the scene is too short, which is said.
+/// The plan for the job's scene; none if it was not asked for, or the scene is too short, which is
+/// said.
 /// Errors   UsageError: the design's time cannot be sampled; scene::InputError.
 std::optional<studies::SamplePlan> sample_plan(const SampleOptions& options, const Job& job,
                                                const Output& output);
@@ -26,7 +27,7 @@ std::optional<studies::SamplePlan> sample_plan(const SampleOptions& options, con
 void run_sample(const studies::SamplePlan& plan, const Options& options, int bench, const Job& job,
                 timing::RasterTop* top, const Output& output);
 
-/// What a scene that was run whole says in the estimate's place: an interval of nothing.
+/// For a scene that was run whole: adds the JSON of an estimate, with an interval of width 0.
 void add_whole(timing::Cycle drained, uint64_t triangles, Json* json);
 
 }  // namespace pineda::cli

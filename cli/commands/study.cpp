@@ -196,7 +196,7 @@ int reciprocals(const StudyOptions& options) {
 void add_study(CLI::App* program, int* exit_code) {
   auto* study = program->add_subcommand("study", "Sweeps over designs");
   study->allow_extras();
-  // Before any study runs: extras are refused here, with what was expected.
+  // Runs before any study: refuses extra arguments, and says what was expected.
   study->parse_complete_callback([study] {
     const auto rest = study->remaining(true);
     const bool chosen = !study->get_subcommands().empty();

@@ -28,7 +28,7 @@ struct CyclesOptions : Options {
   std::string bunny = "/usr/share/glmark2/models/bunny.obj";
   int runs = 5;
   bool all = false;
-  bool one_by_one = false;  // memories without stalls, then stalls at the ordinary memory
+  bool one_by_one = false;  // memories without stalls, then stalls at ideal memory
 };
 
 /// What is asked for: the default table unless the options say otherwise.
@@ -64,20 +64,21 @@ scene::Scene open_named(const CyclesOptions& o, const std::string& name,
                         const spec::Contract& contract) {
   CyclesOptions one = o;
   one.scene = name == kBunny ? o.bunny : name;
-  // As other meshes where the design's frames are too small.
+  // The bunny at 1920x1080 if the design's frames are large enough, else at the size of other
+  // meshes.
   const bool fits = contract.design.guard_bits >= kBunnyGuardBits;
   if (name == kBunny && o.size.empty() && fits) one.size = "1920x1080";
   return open(one, contract, false);
 }
 
-/// What stands behind the ports in some rows.
+/// Memory and stalls of some rows.
 struct Part {
   std::string memory;
   std::optional<int> latency_cycles;  // of an ideal memory; none: the design's own
   std::string stall;
 };
 
-/// Latencies of an ideal memory; of all those that the design can keep up with.
+/// Latencies of an ideal memory; with --all, those that the design can keep up with.
 std::vector<std::optional<int>> latencies_of(const CyclesOptions& o, const spec::Design& design) {
   if (!o.latencies.empty()) return {o.latencies.begin(), o.latencies.end()};
   if (!o.all) return {std::nullopt};
@@ -107,13 +108,13 @@ std::vector<Part> parts_of(const CyclesOptions& o, const spec::Design& design) {
   return parts;
 }
 
-/// Everything asked for, row by row as it is done.
+/// Runs everything asked for and prints each row as it is done.
 class Table {
  public:
   Table(const CyclesOptions& options, const Output& output) : o_(options), output_(output) {}
 
   std::vector<CycleRow> run(const std::vector<std::string>& scenes) {
-    // What is wrong is said before anything is drawn.
+    // Errors in the options are reported before anything is drawn.
     for (const std::string& design : o_.designs) {
       parts_of(design);
       for (const auto& name : scenes) open_named(o_, name, contract_of(with(design, {})));

@@ -67,7 +67,8 @@ void print_ports(const Output& output, const CycleCounters& spent, bool depth) {
   output.row("port stalls", text + stalls(timing::MemoryPort::kColorWrite) + " colour write");
 }
 
-// Shares by covered samples, eight in a row; all are of one where a stamp is a sample.
+// Prints the shares of stamps by covered samples, eight in a row; nothing where a stamp is one
+// sample.
 void print_stamps(const Output& output, const CycleCounters& spent, size_t lanes) {
   const auto& by = spent.stamps_by_samples;
   const uint64_t stamps = std::accumulate(by.begin(), by.end(), uint64_t{0});
@@ -95,7 +96,7 @@ void add_cycles(const spec::Contract& contract, const timing::FrameResult& resul
     (*json)["fifos"][timing::fifo_name(static_cast<timing::Fifo>(f))]["mean"] =
         mean_level(result.spent.levels[f]);
   }
-  // As long as for the largest stamps of any design.
+  // Always as long as for the largest stamps of any design.
   Json& stamps = (*json)["stamps_by_samples"];
   while (stamps.size() < result.spent.stamps_by_samples.size()) stamps.push_back(0);
 }

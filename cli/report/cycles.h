@@ -6,8 +6,8 @@
 
 namespace pineda::cli {
 
-/// Adds "drained", "units", "fifos", "port_stalls", "stamps_by_samples" and, where it is known what
-/// they came to, "depth_tests".
+/// Adds "drained", "units", "fifos", "port_stalls", "stamps_by_samples" and, if their results are
+/// known, "depth_tests".
 void add_cycles(const spec::Contract& contract, const timing::FrameResult& result, Json* json);
 
 /// Shares by unit and cause, levels of the FIFOs, stalls of the ports, stamps, depth tests.

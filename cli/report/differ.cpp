@@ -39,16 +39,16 @@ studies::TokenDifference find_token(const Rerun& rerun, uint32_t triangle) {
   tb::FrameBench bench(rerun.library, rerun.bench);
   once_more(rerun,
             [&](const auto& pull) { return bench.run(rerun.scene.frame, pull, &rtl_tokens); });
-  // Some write differs, since the last one does.
+  // There is a difference, since the triangle's last writes are in different cycles.
   return studies::first_token_difference(model, rtl).value();
 }
 
-/// What the model's units do in one cycle, beside its tokens.
+/// Records what the model's units do in one cycle, beside its tokens.
 class ModelStates final : public TokenListener {
  public:
   ModelStates(See see, timing::Cycle cycle, StatesAround* states)
       : TokenListener(std::move(see)), cycle_(cycle), states_(*states) {
-    states_.causes.fill(timing::Cause::kStarved);  // which is not reported
+    states_.causes.fill(timing::Cause::kStarved);  // starved cycles are not reported
   }
   void spent(timing::Unit unit, timing::Cause cause, timing::Cycle from, timing::Cycle until,
              uint32_t id) override {
@@ -62,7 +62,7 @@ class ModelStates final : public TokenListener {
   StatesAround& states_;
 };
 
-/// Fills in what is around d->token.cycle() and writes the waveform.
+/// Fills in the states around d->token.cycle() and writes the waveform.
 void look_around(const Rerun& rerun, const std::string& waveform, FirstRetireDifference* d) {
   const int64_t at = d->token.cycle();
   const auto keep = [d](StatesAround* states) {
@@ -77,7 +77,7 @@ void look_around(const Rerun& rerun, const std::string& waveform, FirstRetireDif
   d->rtl.causes = once_more(rerun, [&](const auto& pull) {
     return bench.run_close_up(rerun.scene.frame, pull, &rtl, close_up);
   });
-  // Last, since it reads the scene to its end: what is said of the scene is whole again.
+  // Runs last: it reads the scene to its end, so that the scene's counters are complete again.
   ModelStates model(keep(&d->model), at, &d->model);
   once_more(rerun,
             [&](const auto& pull) { return rerun.model->run(rerun.scene.frame, pull, &model); });
@@ -114,7 +114,7 @@ std::string states_text(const StatesAround& states) {
   return text;
 }
 
-// The boundary where they differ and the one before it; that after setup has none that is seen.
+// The boundary where the sides differ and the one before it; setup's, the first one, and the next.
 std::vector<Boundary> shown(Boundary boundary) {
   if (boundary == Boundary::kPrim) return {boundary, Boundary::kStamp};
   if (boundary == Boundary::kStamp) return {Boundary::kPrim, boundary};
@@ -145,7 +145,7 @@ std::optional<FirstRetireDifference> find_retire_difference(const Rerun& rerun,
   const std::string path = folder.empty() ? "" : folder + "/differ.fst";
   const auto retire = studies::first_retire_difference(model, rtl);
   if (!retire) {
-    std::error_code ignored;  // an older one would be taken for this run's
+    std::error_code ignored;  // or an older one would be taken for this run's
     if (!path.empty()) std::filesystem::remove(path, ignored);
     return std::nullopt;
   }

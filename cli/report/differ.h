@@ -1,5 +1,5 @@
-// When cycles differ: the first triangle that the model and the RTL retire in different cycles, in
-// which unit, and what was there around it.
+// When cycles differ: finds the first triangle that model and RTL retire in different cycles, the
+// unit, and the states around that cycle.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace pineda::cli {
 
-/// The model or the RTL around a cycle.
+/// States of the model, or of the RTL, around a cycle.
 struct StatesAround {
   studies::ByBoundary<studies::Token> tokens;
   std::array<timing::Cause, timing::kUnits> causes{};               // in that cycle
@@ -44,9 +44,9 @@ struct Rerun {
 /// The waveform shows so many cycles before the difference, and after it.
 inline constexpr int64_t kWaveformCycles = 200;
 
-/// Nothing where all triangles retire alike, by RetireCycles of both sides. Else runs both sides
-/// again, twice, and writes FOLDER/differ.fst if there is a folder; without a difference no such
-/// file remains.
+/// Nothing if all triangles retire in the same cycles, by RetireCycles of both sides; an older
+/// differ.fst is removed. Else runs both sides again, twice, and writes FOLDER/differ.fst if there
+/// is a folder.
 ///
 /// Errors   scene::InputError: the waveform cannot be written.
 std::optional<FirstRetireDifference> find_retire_difference(const Rerun& rerun,

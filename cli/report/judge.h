@@ -1,4 +1,4 @@
-// The functional model's samples before the exact judge.
+// Judges the functional model's samples by exact arithmetic.
 #pragma once
 
 #include "cli/output.h"
@@ -12,7 +12,7 @@ namespace pineda::cli {
 /// from the floats of the scene on. Colour is judged as the design interpolates it: with
 /// perspective or affinely, or as the first vertex's where it is flat.
 struct Judgement : judge::Verdict {
-  spec::ErrorBounds bounds{};  // the design's; of depth with the most that a bias adds to it
+  spec::ErrorBounds bounds{};  // the design's; depth's with the most that a bias adds to it
   std::optional<studies::MeshJudgement> mesh;  // from clip space on
 
   bool holds() const { return Verdict::holds() && (!mesh || mesh->holds()); }

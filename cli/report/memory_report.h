@@ -1,4 +1,4 @@
-// What memory a frame was drawn into, and what it did.
+// Reports the memory that a frame was drawn into, and its counters.
 #pragma once
 
 #include "cli/options.h"
@@ -8,9 +8,9 @@
 namespace pineda::cli {
 
 /// Adds "memory", "depth_latency_cycles" and, of DRAM, "dram": its counters over the last frame. A
-/// channel that both caches are on counts for both.
+/// channel that both caches use counts for both.
 void add_memory(Json* json, const Options& options, const tb::BenchOptions& bench);
-/// The same for readers; nothing of an ideal memory.
+/// Prints the same; nothing for an ideal memory.
 void print_memory(const Output& output, const tb::BenchOptions& bench);
 
 }  // namespace pineda::cli

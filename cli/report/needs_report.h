@@ -13,8 +13,8 @@ Json needs_json(const studies::Needs& needs, const spec::Design& base);
 /// What the scene uses, the table of parameters, what is left.
 void print_needs(const Output& output, const studies::Needs& needs, const spec::Design& base);
 
-/// The design as a file: what differs from the base where that is a named design, and as a comment
-/// what it holds.
+/// The design as a file, with a comment on what it holds. Of a named base only the differences are
+/// stated.
 std::string needs_toml(const studies::Needs& needs, const spec::Design& base);
 
 }  // namespace pineda::cli

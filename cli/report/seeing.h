@@ -1,4 +1,4 @@
-// pineda time's files in which time can be seen: timeline, waveform of states, heat map.
+// The files of pineda time that show time: timeline, waveform of states, heat map.
 #pragma once
 
 #include <memory>

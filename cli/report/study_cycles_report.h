@@ -47,7 +47,7 @@ struct CycleWorst {
   int64_t max = 0;
   bool holds = true;
 };
-/// By design, in their order; of several designs the last one is of all rows.
+/// The worst rows by design, in their order; of several designs, a last entry covers all rows.
 std::vector<CycleWorst> worst_of(const std::vector<CycleRow>& rows);
 void print_worst(const Output& output, const std::vector<CycleWorst>& all);
 Json worst_json(const std::vector<CycleWorst>& all);

@@ -5,9 +5,8 @@
 //   depth ------+--> memory, 1 MiB
 //   colour -----+
 //
-// The processor clears the frame in the memory, has it drawn, and reads it back. The memory takes
-// so long for each transaction as it is told; it has no ready and no valid, and gives no direct
-// access.
+// The processor clears the frame in the memory, has it drawn, and reads it back. The memory takes a
+// given time for each transaction; it has no ready and valid signals and grants no direct access.
 #include <tlm_utils/multi_passthrough_target_socket.h>
 #include <tlm_utils/simple_initiator_socket.h>
 #include <tlm_utils/tlm_quantumkeeper.h>

@@ -9,17 +9,19 @@ using spec::Triangle;
 
 namespace {
 
-// Who owns a sample on a shared edge: the triangle on the side of one point off the screen.
+// Does a sample on an edge belong to this triangle? A shared edge belongs to the triangle that lies
+// on the same side of it as a fixed point off the screen.
 //
 // As printed  f(opposite vertex) * f(point) > 0.
-// Mended      the point. (-1, -1) lies on the lines of some edges, whose samples nobody draws then.
-//             This one lies below the guard band and far to its right: an edge that is not
-//             horizontal rises 2^-S px in 2^15 px at least, so that its line is 2^21 px away from
-//             its vertices' rows by then. The rule that follows is the top-left rule.
+// Mended      the point. The printed (-1, -1) lies on the lines of some edges, and samples on those
+//             would belong to no triangle. This point lies below the guard band and so far to the
+//             right that no edge's line passes through it: a line that is not horizontal rises at
+//             least 2^-S px in 2^15 px, so there it is 2^21 px off the rows of its vertices. The
+//             result is the top-left rule.
 bool owns(const Edge& e, int subpixel_bits) {
   const int128_t x = int128_t{1} << (36 + subpixel_bits);  // px
   const int128_t y = int128_t{1} << 15;
-  return e.a * x + e.b * y + e.c > 0;  // f(opposite vertex) is positive once the edges are turned
+  return e.a * x + e.b * y + e.c > 0;  // f(opposite vertex) > 0, see Edges
 }
 
 class Barycentric : public Common {
@@ -44,9 +46,9 @@ class Barycentric : public Common {
   virtual void scan(const Prim& prim) = 0;
 };
 
-// As printed  the bounding rectangle column by column; three divisions a pixel; >= 0 alone, since
-//             the upper bound follows from it; colours by weights. Slow, not wrong.
-// Mended      the off-screen point; f(opposite vertex) is the doubled area, exact.
+// As printed  the bounding rectangle column by column; three divisions a pixel; only >= 0 is
+//             tested, since <= 1 follows from it; colours by weights. Slow, but not wrong.
+// Mended      the off-screen point, see owns(); f(opposite vertex) is the exact doubled area.
 class Plain final : public Barycentric {
  public:
   using Barycentric::Barycentric;
@@ -72,10 +74,11 @@ class Plain final : public Barycentric {
   }
 };
 
-// As printed  the advice beside the loop: weights and colours stepped, no upper bound.
-// Mended      the off-screen point; row by row; the weights stay undivided integers, since their
-//             sign is all that is asked, and so no step adds an error to coverage. The colours'
-//             steps are doubles, from the corner of the box, and do add up.
+// As printed  the optimization advised beside the loop: weights and colours are stepped, no test of
+//             the upper bound.
+// Mended      the off-screen point; row by row; weights are integers without the division, since
+//             only their sign is needed, so steps add no error to coverage. Colours are stepped in
+//             doubles from the corner of the box, and their errors accumulate.
 class Incremental final : public Barycentric {
  public:
   using Barycentric::Barycentric;

@@ -1,5 +1,6 @@
-// The textbook rasterizers, for comparison: each behind one small interface, each mended where its
-// printed form is wrong, and otherwise left as it was printed.
+// Textbook rasterizers for comparison, all with the same small interface. Each is corrected where
+// its published form is wrong, and otherwise implemented as published. In the comments of each
+// algorithm "As printed" says what was published and "Mended" what is corrected here.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ struct Sample {
   std::array<int, 4> rgba{};  // 0 .. 2^attribute_bits - 1
 };
 
-/// Takes the samples of a triangle as they are found.
+/// Receives the samples of a triangle in the order in which they are found.
 class Sink {
  public:
   virtual ~Sink() = default;
@@ -30,16 +31,17 @@ class Sink {
 ///
 /// In       snapped triangles inside the guard band: x, y in units of 2^-S px, z in units of 2^-8
 ///          codes, attributes 0 to 3 red, green, blue, alpha.
-/// Out      each sample (pixel centre) that the algorithm takes to be covered; twice when it hits
-///          it twice.
-/// Drops    zero area, culled by facing (points know neither), outside of the frame.
+/// Out      each sample (pixel centre) that the algorithm considers covered, as often as it hits
+///          it.
+/// Drops    triangles of zero area or culled by facing (except `points`); samples outside the
+///          frame.
 /// Errors   none: values are rounded half up and clamped, a NaN counts as 0. No depth test.
 class Rasterizer {
  public:
   virtual ~Rasterizer() = default;
   virtual void draw(const spec::Triangle& triangle, Sink* sink) = 0;
 
-  /// Pixels that the inner loops looked at since construction: the cycles, at one a clock.
+  /// Pixels that the inner loops tested since construction: the cycles at one pixel a cycle.
   uint64_t visited() const { return visited_; }
 
  protected:
@@ -50,16 +52,16 @@ class Rasterizer {
 struct Baseline {
   const char* name;       // key of a report
   const char* summary;    // one line for a person
-  const char* source;     // where it is printed
-  bool orders_the_scene;  // wants the triangles in paint_order() and no depth buffer
+  const char* source;     // where it is published
+  bool orders_the_scene;  // needs the triangles in paint_order() and no depth buffer
   std::unique_ptr<Rasterizer> (*make)(const spec::Contract&, const spec::FrameState&);
 };
 
-/// All of them, in the order of a report.
+/// All baselines, in the order of a report.
 const std::vector<Baseline>& baselines();
 
-/// Painter's algorithm: indices of the triangles, far to near by mean depth; equal ones in the
-/// order of the scene.
+/// The order of the painter's algorithm: indices of the triangles from far to near by mean depth,
+/// in the scene's order where equal.
 std::vector<uint32_t> paint_order(const std::vector<spec::Triangle>& triangles);
 
 }  // namespace pineda::baseline

@@ -41,7 +41,7 @@ const std::vector<Baseline>& baselines() {
 std::vector<uint32_t> paint_order(const std::vector<spec::Triangle>& triangles) {
   std::vector<uint32_t> order(triangles.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto depth = [&](uint32_t i) {  // three times the mean
+  const auto depth = [&](uint32_t i) {  // three times the mean depth
     const auto& v = triangles[i].v;
     return v[0].z + v[1].z + v[2].z;
   };

@@ -10,8 +10,9 @@ using spec::FrameState;
 using spec::int128_t;
 using spec::Triangle;
 
-// Exercise 2: bit i says that a coordinate does not fall from vertex i to vertex i+1; the table
-// holds the least and the greatest vertex. All bits: the three are equal, any vertex will do.
+// The bounding box from the signs of the edges. Bit i of the flags says that the coordinate does
+// not decrease from vertex i to vertex i+1; the table gives the vertices with the least and the
+// greatest coordinate. With all bits set the three are equal, and any vertex will do.
 Box EdgeEquation::sign_box(const Triangle& t) const {
   constexpr size_t kOrder[8][2] = {{0, 0}, {0, 1}, {1, 2}, {0, 2}, {2, 0}, {2, 1}, {1, 0}, {0, 0}};
   size_t x_flags = 0;
@@ -64,8 +65,8 @@ void EdgeEquation::scan(const Setup& setup, const Box& pixels, Sink* sink) {
 
 namespace {
 
-// Exact edges. With S subpixel bits a and b have S fraction bits at most, so 12 hold them; c has
-// 2S, and its floor, taken after the bias and once for all, keeps the sign at every sample.
+// Exact edges. With S <= 12 subpixel bits, a and b have at most S fraction bits, so 12 hold them
+// exactly. c has 2S; rounding it down to 12, after the bias, keeps the sign at every sample.
 class Exact : public EdgeEquation {
  public:
   using EdgeEquation::EdgeEquation;
@@ -89,8 +90,8 @@ class Exact : public EdgeEquation {
   }
 };
 
-// As printed  the mean of the vertices' colours, here of their depths too.
-// Mended      the channels' shifts; the mean of alpha, which nobody had declared.
+// As printed  the mean of the vertices' colours; here also of their depths.
+// Mended      the shifts of the channels; the mean of alpha, which was used but not declared.
 class Flat final : public Exact {
  public:
   using Exact::Exact;
@@ -113,7 +114,7 @@ class Flat final : public Exact {
   }
 };
 
-// numerator/denominator to the nearest, halves up; denominator > 0. The low 64 bits of it.
+// The low 64 bits of numerator/denominator, rounded half up; denominator > 0.
 int64_t divide(int128_t numerator, int128_t denominator) {
   const int128_t n = 2 * numerator + denominator;
   const int128_t d = 2 * denominator;
@@ -121,10 +122,10 @@ int64_t divide(int128_t numerator, int128_t denominator) {
   return static_cast<int64_t>(quotient);
 }
 
-// As printed  the plane equation: the edges' coefficients times the parameters, over twice the
-// area,
-//             which the edges' C's add up to; rounded to 12 fraction bits, from the origin.
-// Mended      the method itself, which was not printed; exact sums, one rounding.
+// As printed  the plane equation: the edges' coefficients times the vertices' values, divided by
+//             twice the area, which is the sum of the edges' C's; planes start at the origin and
+//             have 12 fraction bits.
+// Mended      the computation itself, which was not given: exact sums and one rounding.
 class Smooth final : public Exact {
  public:
   using Exact::Exact;

@@ -1,4 +1,4 @@
-// The draw loop of the edge equations, apart from the setup that feeds it.
+// The draw loop of the edge-equation baselines; derived classes supply the setup.
 #pragma once
 
 #include "model/baseline/common.h"
@@ -8,8 +8,8 @@ namespace pineda::baseline {
 inline constexpr int kFractionBits = 12;
 inline constexpr int64_t kOne = int64_t{1} << kFractionBits;
 
-// Edges and planes of 12 fraction bits at the sample of pixel (0, 0). Planes may wrap: covered
-// samples are right modulo 2^64, as long as the planes themselves are.
+// Edges and planes with 12 fraction bits; c and ref are at the sample of pixel (0, 0). Planes may
+// wrap modulo 2^64: the values of covered samples fit, so they come out right.
 struct Plane {
   int64_t dx = 0;
   int64_t dy = 0;
@@ -22,12 +22,13 @@ struct Setup {
 
 // The draw loop.
 //
-// As printed  the box from the signs of the edges, planes from the origin, one comparison of the
-//             three edges ORed together, the row left once the triangle is.
-// Mended      `t += b` at the end of a row (not e); pixel (x, y), not [y*x] nor [y][x] with a
-//             scaled y; samples at pixel centres; the top-left bias, so that >= 0 hits a shared
-//             edge once; 64 bits, so that nothing overflows; a clamp that spares every code; half a
-//             code before the shift; the box by exact comparisons, with y the right way up.
+// As printed  the box from the signs of the edges; planes from the origin; one test of the three
+//             edges ORed together; a row ends when it leaves the triangle.
+// Mended      `t += b` at the end of a row (not e); pixel (x, y), not [y*x] or [y][x] with a scaled
+//             y; samples at pixel centres; the top-left bias, so that >= 0 hits a shared edge once;
+//             64 bits, so that edges do not overflow; a clamp that keeps all valid codes; half a
+//             code added before the shift, to round; the box by exact comparisons, and with y
+//             pointing the right way.
 class EdgeEquation : public Common {
  public:
   using Common::Common;
@@ -39,7 +40,7 @@ class EdgeEquation : public Common {
   }
 
  protected:
-  // False when the triangle is not to be drawn.
+  // False if the triangle is not drawn.
   virtual bool set_up(const spec::Triangle& t, Setup* setup) const = 0;
 
  private:

@@ -12,7 +12,7 @@ using spec::Triangle;
 
 namespace {
 
-// To 12 fraction bits, rounded half up, held within 2^61: sums of some steps still fit 64 bits.
+// To 12 fraction bits, rounded half up, clamped to +-2^61, so that sums of a few fit into 64 bits.
 int64_t fixed(float value) {
   constexpr double kLimit = 0x1p61;
   const double scaled = static_cast<double>(value) * kOne;
@@ -22,12 +22,13 @@ int64_t fixed(float value) {
 
 enum class CForm { kDeterminant, kVertex, kAverage };
 
-// Setup in binary32, the loop in integers: what the report sees is the setup's precision.
+// Setup in binary32, the draw loop in integers: so the errors measured are those of the setup.
 //
-// As printed  A, B, C from the vertices as floats, C in one of three ways; orientation and area by
-//             the sum of the C's; the planes from the same coefficients.
-// Mended      the draw loop alone. The doubled area of a sliver, or far from the origin, is lost in
-//             the C's: triangles turn inside out, and are lost or drawn where they are not.
+// As printed  A, B, C from the vertices as floats, C in one of three ways; orientation and area
+//             from the sum of the C's; the planes from the same coefficients.
+// Mended      only the draw loop. For slivers, and far from the origin, cancellation in the sum of
+//             the C's destroys the area: triangles change orientation, disappear, or cover wrong
+//             samples.
 class SinglePrecision final : public EdgeEquation {
  public:
   SinglePrecision(const Contract& c, const FrameState& frame, CForm form)

@@ -15,11 +15,11 @@ int64_t floor_divide(int64_t numerator, int64_t denominator) {  // denominator >
   return numerator / denominator - (numerator % denominator < 0 ? 1 : 0);
 }
 
-// One edge, from row to row: the first pixel at or right of it as an integer with its remainder
-// (a digital differential analyser), its crossing and its parameters as doubles.
+// Steps along one edge from row to row. The first pixel at or right of the edge is an integer with
+// a remainder (a DDA); the exact crossing and the interpolated values are doubles.
 class Walk {
  public:
-  // From the centre of row y on; the edge goes down from `top` to `bottom`.
+  // Starts at the centre of row y; the edge goes down from `top` to `bottom`.
   Walk(const Vertex& top, const Vertex& bottom, const Parameters& at_top,
        const Parameters& at_bottom, int y, int subpixel_bits) {
     const int64_t half = int64_t{1} << (subpixel_bits - 1);
@@ -66,10 +66,11 @@ class Walk {
   Parameters value_{}, value_step_{};
 };
 
-// As printed  vertices sorted; the breakpoint on the left or on the right; parameters interpolated
-//             along the edges, then along the span, with the offset from edge to pixel centre.
-// Mended      spans ceil(left) .. ceil(right)-1: both ends inclusive hits a shared edge twice; rows
-//             the same way; the offset in y too (the prestep); integers decide what is covered.
+// As printed  vertices sorted by y; the middle vertex on the left or right side; values
+//             interpolated along the edges, then along the span, with the offset from edge to
+//             pixel centre.
+// Mended      spans ceil(left) .. ceil(right)-1, since inclusive ends hit a shared edge twice; the
+//             same for rows; the offset in y too (prestep); coverage in integers.
 class EdgeWalk final : public Common {
  public:
   using Common::Common;
@@ -86,10 +87,10 @@ class EdgeWalk final : public Common {
   }
 
  private:
-  // The rows between vertices `upper` and `upper` + 1, which the short edge joins.
+  // Draws the rows between vertices `upper` and `upper` + 1: between their edge and the edge 0-2.
   void section(const Triangle& t, size_t upper, bool break_on_right, Sink* sink) {
     const auto& v = t.v;
-    // The rows of the frame with their centres in [top, bottom).
+    // The rows of the frame whose centres lie in [top, bottom).
     const Box rows = box(0, v[upper].y, 0, v[upper + 1].y);
     if (rows.y0 > rows.y1) return;
     const std::array<Parameters, 3> value = parameters(t);
@@ -110,7 +111,7 @@ class EdgeWalk final : public Common {
     if (first >= end) return;
     visited_ += static_cast<uint64_t>(end - first);
     const double width = right.x() - left.x();
-    const double scale = width > 0 ? 1 / width : 0;  // crossings that a double cannot tell apart
+    const double scale = width > 0 ? 1 / width : 0;  // 0: both crossings round to the same double
     const double offset = first + .5 - left.x();
     Parameters value;
     Parameters step;

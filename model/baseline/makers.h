@@ -1,4 +1,4 @@
-// One maker for each baseline; catalogue.cpp lists them.
+// One factory function for each baseline; catalogue.cpp lists them.
 #pragma once
 
 #include <memory>

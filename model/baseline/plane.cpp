@@ -18,10 +18,10 @@ struct Linear {
 
 // Edge functions and planes in one floating-point format, evaluated at each sample of the box.
 //
-// As printed  C = x0*y1 - x1*y0; doubled area by the sum of the C's; planes from the origin.
-// Mended      the top-left rule. In double precision every edge is exact up to 11 subpixel bits,
-//             planes are not: a sliver's are steep, and start at the origin. In single precision
-//             nothing is exact but A and B, and nothing is done about it.
+// As printed  C = x0*y1 - x1*y0; doubled area as the sum of the C's; planes from the origin.
+// Mended      the top-left rule. In double precision edges are exact up to 11 subpixel bits, but
+//             planes are not: a sliver's are steep, and they are evaluated from the origin. In
+//             single precision only A and B are exact; that is left as it is.
 template <class Real>
 class FloatingPoint final : public Common {
  public:

@@ -5,9 +5,9 @@ namespace pineda::baseline {
 
 namespace {
 
-// As printed  primitives of less than a pixel need no triangle: each vertex is a point.
-// Mended      nothing. No setup, so no facing (cull is not looked at) and no inside: the pixel that
-//             a vertex lies in takes its values, whether the triangle covers its sample or not.
+// As printed  primitives smaller than a pixel are not drawn as triangles: each vertex is a point.
+// Mended      nothing. Without setup there is no culling and no coverage test: the pixel that
+//             contains a vertex gets its values, even if the triangle does not cover the sample.
 class Points final : public Common {
  public:
   using Common::Common;

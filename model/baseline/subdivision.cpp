@@ -9,12 +9,13 @@ using spec::Triangle;
 
 namespace {
 
-// Warnock's recursion over the frame. Each square tested counts as a pixel looked at, and so does
-// each pixel of a square that is accepted whole.
+// Warnock's recursive subdivision of the frame. visited() counts each square tested, and each pixel
+// of an accepted square.
 //
-// As printed  the idea alone: a square is rejected, accepted, or split into quarters.
-// Mended      nothing printed to mend. A square is a set of samples, so the recursion ends at one;
-//             edges and box together tell all that is disjoint; the top-left bias decides ties.
+// As printed  only the idea: a square is rejected, accepted, or split into quarters.
+// Mended      nothing, since no algorithm was given. Here a square is a set of samples, so the
+//             recursion ends at one sample; edges and box together reject every square that the
+//             triangle does not touch; the top-left bias decides ties.
 class Subdivision final : public Common {
  public:
   using Common::Common;
@@ -41,7 +42,7 @@ class Subdivision final : public Common {
   void visit(const Scene& scene, int x, int y, int size) {
     if (x >= frame_.width || y >= frame_.height) return;
     ++visited_;
-    // Beyond the tips of a narrow triangle its edges alone reject nothing.
+    // The edges alone do not reject squares beyond the tips of a narrow triangle.
     const Box& pixels = scene.pixels;
     if (x > pixels.x1 || y > pixels.y1 || x + size <= pixels.x0 || y + size <= pixels.y0) return;
     bool accepted = true;
@@ -56,7 +57,7 @@ class Subdivision final : public Common {
       accept(scene, x, y, size);
       return;
     }
-    const int half = size / 2;  // a single sample is rejected or accepted above
+    const int half = size / 2;  // size > 1: a single sample was rejected or accepted above
     visit(scene, x, y, half);
     visit(scene, x + half, y, half);
     visit(scene, x, y + half, half);

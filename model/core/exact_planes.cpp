@@ -38,7 +38,7 @@ ExactPlanes::ExactPlanes(const Contract& c, const spec::FrameState& frame, const
   area2_ = (int64_t{v[1].x} - v[0].x) * (int64_t{v[2].y} - v[0].y) -
            (int64_t{v[2].x} - v[0].x) * (int64_t{v[1].y} - v[0].y);
   if (c.design.depth_test) {
-    // In units that hold a bias as well.
+    // In finer units, which hold a bias too.
     constexpr int kFiner = 1 << spec::kBiasFactorFractionBits;
     z_ = plane(c, t, {v[0].z * kFiner, v[1].z * kFiner, v[2].z * kFiner},
                spec::kDepthInputFractionBits + spec::kBiasFactorFractionBits);
@@ -54,9 +54,9 @@ ExactPlanes::ExactPlanes(const Contract& c, const spec::FrameState& frame, const
   }
 }
 
-// A step is the doubled area of a triangle in a box of 2^(depth_in) by 2^(guard+1+S), so below
-// 2^76 with the bits of a bias; times an offset within the guard band, below 2^104: 128 bits hold
-// all numerators, and 63 the denominator.
+// Widths: a step is the doubled area of a triangle in a box of 2^(depth_in) by 2^(guard+1+S), so
+// below 2^76 with the extra bits of a bias; times an offset inside the guard band, below 2^104. So
+// numerators fit into 128 bits, and the denominator into 63.
 ExactPlanes::Plane ExactPlanes::plane(const Contract& c, const Triangle& t,
                                       const std::array<int64_t, 3>& value,
                                       int fraction_bits) const {
@@ -64,7 +64,7 @@ ExactPlanes::Plane ExactPlanes::plane(const Contract& c, const Triangle& t,
   const int128_t d1 = value[1] - value[0];
   const int128_t d2 = value[2] - value[0];
   const int sign = area2_ > 0 ? 1 : -1;
-  // What a subpixel adds, in units of 1/area2.
+  // The change per subpixel, in units of 1/area2.
   const int128_t step_x =
       sign * (d1 * (int64_t{v[2].y} - v[0].y) - d2 * (int64_t{v[1].y} - v[0].y));
   const int128_t step_y =
@@ -91,8 +91,8 @@ int64_t ExactPlanes::nearest(const Plane& p, int x, int y) {
   return static_cast<int64_t>(quotients + rest.quotient + up);
 }
 
-// Constant + slope * max(|dz/dx|, |dz/dy|). Steps count 2^-8 codes a subpixel and the slope 2^-8,
-// so that their product has the unit of the plane's numerators.
+// Constant + slope * max(|dz/dx|, |dz/dy|). Steps are in 2^-8 codes per subpixel and the slope
+// factor in 2^-8, so their product has the unit of the plane's numerators.
 ExactPlanes::Step ExactPlanes::depth_bias(const Contract& c, const spec::FrameState& frame,
                                           const Triangle& t) const {
   const auto& v = t.v;
@@ -102,7 +102,7 @@ ExactPlanes::Step ExactPlanes::depth_bias(const Contract& c, const spec::FrameSt
   const int128_t step_y = d2 * (int64_t{v[1].x} - v[0].x) - d1 * (int64_t{v[2].x} - v[0].x);
   const int128_t step = std::max(step_x < 0 ? -step_x : step_x, step_y < 0 ? -step_y : step_y);
   const int128_t numerator = frame.bias_slope * step * (1 << c.design.subpixel_bits);
-  // A bias beyond twice the range of depth moves every code to an end: enough, and it cannot wrap.
+  // Clamped to twice the range of depth: that moves every code to an end already, and cannot wrap.
   const int128_t limit = int128_t{2} << c.design.depth_bits;
   const int128_t whole =
       std::clamp(numerator / z_.denominator, -limit, limit) + frame.bias_constant;

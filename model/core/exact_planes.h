@@ -1,11 +1,11 @@
-// Planes that are never rounded: what a design without a reciprocal interpolates with.
+// Exact planes, which a design without a reciprocal interpolates with.
 #pragma once
 
 #include "model/spec/structs.h"
 
 namespace pineda::core {
 
-/// The planes of one triangle as quotients and remainders of its doubled area.
+/// The planes of one triangle, kept as quotients and remainders of divisions by its doubled area.
 ///
 /// Bits     the definition for reciprocal_scheme = kNone: each code is the exact value of the
 ///          plane through the snapped vertices, rounded once, half up; depth with its bias.
@@ -17,22 +17,22 @@ class ExactPlanes {
   ExactPlanes(const spec::Contract& contract, const spec::FrameState& frame,
               const spec::Triangle& triangle);
 
-  /// As core::interpolate_depth().
+  /// Like core::interpolate_depth().
   void depth(const spec::Contract& contract, const spec::Stamp& stamp,
              spec::Fragment* fragment) const;
-  /// As core::interpolate_attributes().
+  /// Like core::interpolate_attributes().
   void attributes(const spec::Contract& contract, const spec::Stamp& stamp, uint32_t lanes,
                   spec::Fragment* fragment) const;
 
  private:
-  // quotient + remainder/denominator a step; 0 <= remainder < denominator. Quotients wrap modulo
-  // 2^64: where the triangle covers a sample their sum is a code.
+  // The number quotient + remainder/denominator; 0 <= remainder < denominator. Quotients wrap
+  // modulo 2^64: at covered samples their sum is a code again, so that wrapping does no harm.
   struct Step {
     uint64_t quotient;
     int64_t remainder;
   };
   struct Plane {
-    Step dx, dy, ref;  // a px to the right, a px down; the value at the sample of pixel (0, 0)
+    Step dx, dy, ref;  // change per px right, per px down; value at the sample of pixel (0, 0)
     int64_t denominator;
   };
   static Step divide(spec::int128_t numerator, int64_t denominator);

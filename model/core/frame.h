@@ -1,4 +1,4 @@
-// A whole frame through the three units: the functional model.
+// The functional model: draws a frame through setup, traversal and interpolation with depth test.
 #pragma once
 
 #include <optional>
@@ -18,18 +18,18 @@ struct TileRows {
   int last = 1 << 16;  // more than any frame has
 };
 
-/// Who is handed each token of a frame, in order; what a sink does not want it leaves as it is
-/// here.
+/// Receives each token of a frame, in order. A sink may derive from this and redefine only the
+/// calls that it needs.
 struct Sink {
   void prim(const spec::SetupPrim&) {}
   void stamp(const spec::Stamp&) {}
-  void fragment(const spec::Stamp&, const spec::Fragment&) {}  // every covered sample, seen or not
+  void fragment(const spec::Stamp&, const spec::Fragment&) {}  // before the depth test
   void depth(const spec::DepthWrite&) {}
   void color(const spec::ColorWrite&) {}
 };
 
-/// The values of a triangle's stamps, by the planes of the stamp or, without a reciprocal in the
-/// design, by exact ones.
+/// Interpolates a triangle's stamps: with the stamp's planes, or with exact ones if the design has
+/// no reciprocal.
 class Interpolator {
  public:
   Interpolator(const spec::Contract& contract, const spec::FrameState& frame,
@@ -41,9 +41,9 @@ class Interpolator {
   std::optional<ExactPlanes> exact_;
 };
 
-/// One triangle through setup, traversal and interpolation, or the part of it in some rows of
-/// tiles: no memories, no depth test. Calls sink.prim(), then for each stamp sink.stamp() and
-/// sink.fragment(); counts all but `interpolated` and `passed`.
+/// Draws the part of one triangle within some rows of tiles through setup, traversal and
+/// interpolation, without memories and depth test. Calls sink.prim() once, then sink.stamp() and
+/// sink.fragment() for each stamp. Counts all but `interpolated` and `passed`.
 template <class AnySink>
 Drop draw_triangle(const spec::Contract& contract, const spec::FrameState& frame, TileRows rows,
                    const spec::Triangle& triangle, FrameCounters* counters, AnySink&& sink) {
@@ -64,7 +64,8 @@ Drop draw_triangle(const spec::Contract& contract, const spec::FrameState& frame
   return drop;
 }
 
-/// What draw_triangle() hands over, tested and written to a frame's memories, and handed on.
+/// A sink for draw_triangle() that does the depth test, writes to a frame's memories, and passes
+/// all tokens on to another sink.
 template <class Memories, class AnySink>
 struct FrameWriter {
   const spec::Contract& contract;
@@ -114,7 +115,7 @@ class Renderer {
   }
 
   Drop draw(const spec::Triangle& triangle) { return draw(triangle, Sink{}); }
-  /// The same, with each token at each unit boundary handed over, in order.
+  /// The same, and passes each token at each unit boundary to `sink`, in order.
   template <class AnySink>
   Drop draw(const spec::Triangle& triangle, AnySink&& sink) {
     return draw_triangle(contract_, frame_, {}, triangle, &counters_,

@@ -1,4 +1,4 @@
-// The memories of a frame.
+// The depth and colour memories of a frame.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace pineda::core {
 
-/// Samples row by row, the top row first; only those inside the frame exist.
+/// Samples are stored row by row, the top row first; there are none outside the frame.
 struct FrameBuffer {
   int width = 0;
   int height = 0;

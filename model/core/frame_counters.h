@@ -1,4 +1,4 @@
-// What is counted of a frame's triangles and samples: the counters, and the one table of them.
+// The counters of a frame's triangles, tiles, stamps and samples, and the table of them.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace pineda::core {
 
-/// What happened to the triangles and samples of a frame; kFrameCounters says what each one counts.
+/// What happened to the triangles and samples of a frame. kFrameCounters describes each counter.
 struct FrameCounters {
   uint64_t triangles = 0;
   std::array<uint64_t, kDropCauses> dropped{};  // by Drop
@@ -24,14 +24,14 @@ struct FrameCounters {
   uint64_t passed = 0;
 };
 
-/// Which events in the RTL a counter adds up. The RTL counts events by kind: a tile's test by its
-/// outcome, a stamp by the number of its samples.
+/// Which RTL events a counter sums. The RTL counts events in arrays by kind: tile tests by their
+/// outcome, stamps by their number of samples.
 struct RtlKinds {
   enum class Which : uint8_t { kOne, kAll, kAllButFirst, kByNumber };
   Which which = Which::kOne;
-  int kind = 0;  // of kOne
+  int kind = 0;  // for kOne
 
-  /// How often an event of a kind is added. By number: a stamp of k samples counts k times.
+  /// How many times an event of kind `of` counts. kByNumber: a stamp of k samples counts k times.
   constexpr uint64_t times(size_t of) const {
     if (which == Which::kByNumber) return of;
     if (which == Which::kOne) return of == static_cast<size_t>(kind) ? 1 : 0;
@@ -39,22 +39,22 @@ struct RtlKinds {
   }
 };
 
-/// When a counter is known.
+/// Which models and frames know a counter's value.
 enum class Known : uint8_t {
   kAlways,
-  kIfTested,  // where depth tests are made: what they come to
-  kInTime,    // where time is: the functional model leaves it at 0
+  kIfTested,  // only where depth tests are made, since it counts their results
+  kInTime,    // only models with time; the functional model leaves it at 0
 };
 
-/// A counter of a frame, as every list, table, file and comparison names it.
+/// A row of the table: all that lists, files and comparisons need to know of a counter.
 struct FrameCounter {
   const char* name;
-  const char* place;  // among the counters in a command's JSON; of drops nullptr: json() has it
+  const char* place;  // path in the JSON output; nullptr for drops: json() makes it
   const char* unit;
   const char* meaning;
-  const char* rtl;  // the array of the RTL's events, as tb/plugin.cpp names it
+  const char* rtl;  // the RTL's array of events, by its name in tb/plugin.cpp
   RtlKinds kinds;
-  uint64_t FrameCounters::*member;  // nullptr: dropped[drop]
+  uint64_t FrameCounters::*member;  // nullptr: the counter is dropped[drop]
   Known known = Known::kAlways;
   Drop drop = Drop::kNone;
 
@@ -121,7 +121,7 @@ inline constexpr FrameCounter kRows[] = {
 
 }  // namespace counter_rows
 
-/// The table. Adding a counter: a member, its row here, and the array in the RTL that counts it.
+/// The table. A new counter needs a member of FrameCounters, a row here, and an array in the RTL.
 inline constexpr auto& kFrameCounters = counter_rows::kRows;
 static_assert(sizeof(FrameCounters) == sizeof(uint64_t) * std::size(kFrameCounters),
               "each counter has a row");

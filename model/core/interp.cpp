@@ -25,7 +25,7 @@ int64_t value(const Plane& p, int i, int j, int plane_bits) {
   return wrap(p.ref + i * p.dx + j * p.dy, plane_bits);
 }
 
-// The one rounding, and a clamp to [0, 2^out_bits - 1].
+// Rounds to a code, the only rounding of a value, and clamps to [0, 2^out_bits - 1].
 int64_t code(int64_t value, int fraction_bits, int out_bits) {
   const int64_t top = (int64_t{1} << out_bits) - 1;
   return std::clamp<int64_t>(round_half_up(value, fraction_bits), 0, top);

@@ -14,7 +14,7 @@ namespace pineda::core {
 void interpolate_depth(const spec::Contract& contract, const spec::Stamp& stamp,
                        spec::Fragment* fragment);
 
-/// Bits     affine attributes, the definition: as depth, without a bias; with perspective see
+/// Bits     affine attributes, the definition: like depth, without a bias; for perspective see
 ///          perspective.h.
 /// In       a stamp; some of its covered lanes.
 /// Out      fragment->attr at those lanes, 0 in the others.
@@ -23,38 +23,38 @@ void interpolate_depth(const spec::Contract& contract, const spec::Stamp& stamp,
 void interpolate_attributes(const spec::Contract& contract, const spec::Stamp& stamp,
                             uint32_t lanes, spec::Fragment* fragment);
 
-/// The top hierarchical_z_bits of the least code that a tile can have, whatever its samples; 0
-/// where the plane is steep, so that nothing is known. In: planes of a tile.
+/// Hierarchical z: the top hierarchical_z_bits of a lower bound of the depth codes of a triangle in
+/// a tile, from the tile's planes; 0 where the plane is too steep to know.
 uint32_t depth_floor(const spec::Contract& contract, const spec::PlaneSet& planes);
 
-/// The top hierarchical_z_bits of the greatest code of a stamp after the write of its lanes
-/// `passed`.
+/// Hierarchical z: the top hierarchical_z_bits of the greatest code stored in a stamp after the
+/// lanes `passed` are written.
 uint32_t depth_ceiling(const spec::Contract& contract, const spec::Fragment& fragment,
                        uint32_t passed, const std::array<uint32_t, spec::kMaxLanes>& stored);
 
-/// Both, at every covered lane.
+/// Interpolates depth and attributes at all covered lanes.
 inline void interpolate(const spec::Contract& contract, const spec::Stamp& stamp,
                         spec::Fragment* fragment) {
   interpolate_depth(contract, stamp, fragment);
   interpolate_attributes(contract, stamp, stamp.mask, fragment);
 }
 
-/// Whether samples are compared with stored depths.
+/// Whether this design and frame compare samples with stored depths.
 bool tests_depth(const spec::Contract& contract, const spec::FrameState& frame);
 
-/// The outcomes of comparing a new depth with the stored one that a depth function lets pass.
+/// How a new depth must compare with the stored one to pass a depth function.
 struct PassesWhen {
   bool less, equal, greater;
 };
 PassesWhen passes_when(spec::DepthFunc func);
 
-/// Lanes of `mask` that pass against the stored codes. Depth off passes all.
+/// The lanes of `mask` that pass the depth test against the stored codes. Depth off passes all.
 uint32_t depth_test(const spec::Contract& contract, spec::DepthFunc func, uint32_t mask,
                     const std::array<uint32_t, spec::kMaxLanes>& z,
                     const std::array<uint32_t, spec::kMaxLanes>& stored);
 
-/// The two writes of a stamp whose lanes `passed` (not empty) survive the test; *write may be one
-/// of the same design before.
+/// The depth and colour write of a stamp whose lanes `passed` (at least one) passed the depth test.
+/// *write may be reused from an earlier stamp of the same design.
 spec::DepthWrite depth_write(const spec::Contract& contract, const spec::Stamp& stamp,
                              const spec::Fragment& fragment, uint32_t passed);
 spec::ColorWrite color_write(const spec::Contract& contract, const spec::Stamp& stamp,

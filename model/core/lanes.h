@@ -1,4 +1,4 @@
-// The samples of a stamp, a bit of a mask each.
+// Loops over the lanes (samples) of a stamp's mask.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace pineda::core {
 
-/// Calls visit(lane, column, row) for each lane of `mask`: its number, row by row from the stamp's
-/// corner, and its place there in px.
+/// Calls visit(lane, column, row) for each lane of `mask`. Lanes are numbered row by row; column
+/// and row are px from the stamp's top left corner.
 template <class Visitor>
 void for_each_lane(const spec::Design& design, uint32_t mask, Visitor&& visit) {
   const int columns = 1 << design.stamp_width_log2;

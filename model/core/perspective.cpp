@@ -16,7 +16,7 @@ int bit_length(int128_t value) {
   return high != 0 ? 64 + spec::bit_length(high) : spec::bit_length(static_cast<uint64_t>(value));
 }
 
-// E of an edge at a sample, from its steps of whole pixels.
+// E of an edge at a sample: E' stepped by whole pixels, then its low bits and bias restored.
 int64_t edge_value(const Contract& c, const spec::EdgeFunction& edge, int32_t low, int i, int j) {
   const bool top_left = edge.a > 0 || (edge.a == 0 && edge.b > 0);
   const int64_t e = edge.e + i * edge.a + j * edge.b;
@@ -28,10 +28,10 @@ int64_t edge_value(const Contract& c, const spec::EdgeFunction& edge, int32_t lo
 std::array<int64_t, 3> weight_products(const Contract& c, const Stamp& stamp, int i, int j) {
   const spec::PerspectiveSet& p = stamp.planes.perspective;
   std::array<int128_t, 3> exact;
-  int top = 0;  // bits of the greatest, at the scale of a vertex with shift 0
+  int top = 0;  // bit length of the greatest product, at the scale of a vertex with shift 0
   bool any = false;
   for (size_t v = 0; v < 3; ++v) {
-    const size_t edge = (v + 1) % 3;  // the one opposite
+    const size_t edge = (v + 1) % 3;  // opposite to vertex v
     exact[v] = int128_t{edge_value(c, stamp.edge[edge], p.e_low[edge], i, j)} * p.inverse_w[v];
     if (exact[v] <= 0) continue;
     const int length = bit_length(exact[v]) - p.inverse_w_shift[v];

@@ -1,4 +1,4 @@
-// Attributes corrected by perspective: weights from E_i/w_i, the same precision at every sample.
+// Perspective-correct attributes, by weights E_i/w_i that have the same precision at every sample.
 #pragma once
 
 #include "model/core/reciprocal.h"
@@ -6,16 +6,16 @@
 
 namespace pineda::core {
 
-/// The weights of the three vertices at one sample of a stamp, in units that they share.
+/// The weights of the three vertices at one sample of a stamp, not normalized, in a common unit.
 ///
-/// Bits     the definition: for each vertex the product E*inverse_w, exact; the three cut off to
-///          units in which the greatest has 26 bits.
+/// Bits     the definition: for each vertex the exact product E*inverse_w; the three are then
+///          truncated to a common unit in which the greatest has 26 bits.
 /// In       a stamp of a design with perspective; i, j: px from the corner of its tile, of a sample
 ///          that the triangle covers.
 std::array<int64_t, 3> weight_products(const spec::Contract& contract, const spec::Stamp& stamp,
                                        int i, int j);
 
-/// The attributes where vertices weigh so much.
+/// The attributes for given weights of the vertices.
 ///
 /// Bits     the definition: weights U1.24 of vertices 1 and 2, rounded half up, at most 1;
 ///          a0 + g1*(a1 - a0) + g2*(a2 - a0), rounded half up and clamped.

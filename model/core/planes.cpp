@@ -40,8 +40,8 @@ spec::Plane plane(const Contract& c, const PlaneSetup& s, const std::array<int64
   const Numerators n = numerators(s, value);
   const int128_t dx = gradient(c, s.reciprocal, n.x, fraction_bits, f);
   const int128_t dy = gradient(c, s.reciprocal, n.y, fraction_bits, f);
-  // Up to 92 bits, which wrap only in the end: with 32 bits of depth and 12 subpixel bits the
-  // reference has more than 64 before its low S ones are rounded away.
+  // Up to 92 bits; wraps only at the end. With 32 depth bits and 12 subpixel bits the reference has
+  // more than 64 bits before its low S bits are rounded off.
   const int128_t at_ref =
       int128_t{value[0]} * (int128_t{1} << (f - fraction_bits + subpixel_bits)) + dx * s.ref_x +
       dy * s.ref_y;

@@ -38,8 +38,8 @@ int64_t quadratic(const Design& d, int64_t m, int bits) {
   return c.c0 - ((c.c1 * t) >> t_bits) + ((c.c2 * square) >> t_bits);
 }
 
-// 1/(2m) after k+1 bits, m whole: as many bits as a restoring divider finds in k steps, since the
-// first one is known.
+// 1/(2m) truncated to k+1 bits, from all bits of m. Its first bit is always 1 unless area2 is a
+// power of two, so a restoring divider has k bits left to find.
 int64_t quotient(const Design& d, int64_t area2, int length) {
   return static_cast<int64_t>((int128_t{1} << (length + d.reciprocal_bits)) / area2);
 }

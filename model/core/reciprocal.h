@@ -1,4 +1,4 @@
-// The reciprocal of the doubled area, by each scheme that hardware chooses from.
+// The reciprocal of the doubled area, for each scheme of spec/reciprocal.
 #pragma once
 
 #include "model/spec/widths.h"
@@ -19,7 +19,7 @@ struct Reciprocal {
 /// In       area2, 0 < area2 < 2^(AREA2_BITS - 1); a design with a reciprocal.
 /// Out      mantissa UQ0.k in [1/2, 1).
 /// Errors   |relative error| <= spec::reciprocal_error_bound(design).
-/// Twin     rtl/reciprocal/reciprocal.sv, and beside it a module a scheme.
+/// Twin     rtl/reciprocal/reciprocal.sv, and one module for each scheme beside it.
 Reciprocal reciprocal(const spec::Contract& contract, int64_t area2);
 
 }  // namespace pineda::core

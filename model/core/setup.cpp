@@ -72,13 +72,13 @@ int64_t biased_edge(const Vertex& u, const Vertex& w, int64_t x, int64_t y) {
   return dx * (y - u.y) - dy * (x - u.x) - (top_left ? 0 : 1);
 }
 
-// What the samples get their values from. x, y: the first sample, subpixels.
+// Sets up all that depth and attributes are computed from. x, y: the reference sample, subpixels.
 void set_up_values(const Contract& c, const FrameState& frame, const Triangle& t, const Vertices& v,
                    int64_t area2, int64_t x, int64_t y, spec::PlaneSet* set) {
   const spec::Design& d = c.design;
   const auto attributes = static_cast<size_t>(d.attributes);
   std::copy_n(t.v[0].attr.begin() + d.attributes, d.flat_attributes, set->flat.begin());
-  // Whose attributes the vertices have.
+  // The vertices that attributes are taken from.
   const bool flat = frame.shade == spec::Shade::kFlat;
   const Vertices painted = flat ? Vertices{&t.v[0], &t.v[0], &t.v[0]} : v;
   if (d.perspective) {
@@ -131,8 +131,8 @@ Drop setup(const Contract& c, const FrameState& frame, const Triangle& t, SetupP
   for (size_t i = 0; i < 3; ++i) {
     const Vertex& from = *v[i];
     const Vertex& to = *v[(i + 1) % 3];
-    // In steps of whole pixels. The bias comes before the shift: the other way round leaves holes
-    // on shared edges.
+    // E' only needs steps of whole pixels. The bias must be applied before the shift: after it,
+    // samples on shared edges would be lost.
     prim.edge[i] = {int64_t{from.y} - to.y, int64_t{to.x} - from.x,
                     biased_edge(from, to, x, y) >> s};
   }

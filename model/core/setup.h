@@ -7,7 +7,7 @@
 
 namespace pineda::core {
 
-/// Why a triangle ends in setup. The first cause in this order counts.
+/// Why setup drops a triangle. If several causes apply, the first in this order is reported.
 enum class Drop : uint8_t {
   kNone,
   kZeroArea,  // area2 = 0 after snapping
@@ -42,7 +42,7 @@ constexpr const char* drop_name(Drop drop) { return spec::row_of(drop).spoken; }
 ///          leftmost vertex), edges and planes at the first sample of the box's first tile. Flat
 ///          shading gives the attributes of the scene's vertex 0 to all three. A design without a
 ///          reciprocal has no planes here: see exact_planes.h.
-/// Drops    says why; *out is then as it was.
+/// Drops    for the reason that it returns; *out is then unchanged.
 /// Errors   none: every intermediate fits by widths(), and what may wrap wraps by design.
 /// Twin     rtl/setup/setup_unit.sv.
 /// Source   Pineda, SIGGRAPH 1988; Direct3D 11.3 functional spec 3.4.2.1 (top-left).

@@ -24,7 +24,7 @@ bool clip_rows(const Contract& c, int first, int last, SetupPrim* prim) {
   if ((prim->y1 >> log2) < first || from > last) return false;
   prim->y1 = std::min(prim->y1, (last << log2) + (1 << log2) - 1);
   if (from >= first) return true;
-  // Steps of whole tiles are exact, modulo the plane's width.
+  // Stepping by whole tiles is exact, modulo the plane's width, so bits do not change.
   const int64_t rows = int64_t{first - from} << log2;
   prim->y0 = first << log2;
   for (auto& edge : prim->edge) edge.e += edge.b * rows;

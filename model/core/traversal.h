@@ -9,11 +9,11 @@ namespace pineda::core {
 
 using spec::Tile;
 
-/// The part of a triangle in the rows of tiles first .. last, with the same bits: edges and planes
-/// are moved to the first tile of its first row. False if there is no such part.
+/// Clips a triangle to the rows of tiles first .. last: edges and planes are stepped to the first
+/// tile of its first remaining row. Samples keep their bits. False if nothing is left.
 bool clip_rows(const spec::Contract& contract, int first, int last, spec::SetupPrim* prim);
 
-/// Walks the tiles of a triangle's box, row by row from the top, each from the left.
+/// Walks the tiles of a triangle's box, row by row from the top, from left to right.
 ///
 /// Bits     the definition. A tile is rejected when one edge is negative at that edge's best
 ///          corner sample, and an edge accepts a tile when it is >= 0 at its worst corner sample.
@@ -36,15 +36,15 @@ class TileWalk {
   int x_, y_;    // the tile that next() tests
   int first_x_;  // first and last column, last row
   int last_x_, last_y_;
-  std::array<int64_t, 3> edge_{}, row_edge_{};  // E' at the first sample of the tile, of its row
+  std::array<int64_t, 3> edge_{}, row_edge_{};  // E' at the first sample of this tile, this row
   spec::PlaneSet planes_;                       // ref is stepped; dx, dy stay
   std::array<int64_t, spec::kMaxAttributes + 1> row_ref_{};
 };
 
-/// Walks the stamps of a tile inside the box, row by row from the top, each from the left.
+/// Walks the stamps of a tile inside the box, row by row from the top, from left to right.
 ///
 /// Bits     the definition. A sample is covered when it is in the box and no edge is negative
-///          there; an edge that accepts the tile is not asked.
+///          there; an edge that accepts the tile is not tested.
 /// Out      next(): one stamp test a call; false when the tile is done. An empty stamp (*mask = 0)
 ///          is tested but not sent.
 /// Twin     rtl/traversal/stamp_walker.sv (one test a cycle).
@@ -52,11 +52,11 @@ class StampWalk {
  public:
   StampWalk(const spec::Contract& contract, const Tile& tile);
 
-  /// Gives a stamp what all stamps of the tile share.
+  /// Sets the members of a stamp that all stamps of the tile share.
   void begin(spec::Stamp* stamp) const;
   bool next(uint32_t* mask, int* x, int* y);  // x, y: column and row of the stamp in the frame
 
-  /// Stamp tests in the whole tile: the cycles it takes.
+  /// Number of stamp tests in the whole tile, which is the number of cycles it takes.
   int tests() const;
 
  private:

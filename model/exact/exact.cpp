@@ -1,5 +1,6 @@
-// Written from the rules alone, by other formulas than model/core: coverage by dividing half-open
-// spans instead of by edge signs, values by barycentric weights instead of by planes.
+// Written from the rules only, with other formulas than model/core: coverage by computing half-open
+// spans with divisions, not by signs of edge functions; values by barycentric weights, not by
+// planes.
 #include "model/exact/exact.h"
 
 #include <algorithm>
@@ -14,9 +15,9 @@ namespace {
 
 __extension__ typedef __int128 Int128;
 
-// With |x|, |y| <= 2^26 a difference takes 27 bits and a sign, so a product of two, a doubled area
-// and the numerator of a crossing all stay below 2^56: int64_t is exact. A weight times a z below
-// 2^60 and a code below 2^60 times 256 doubled areas stay below 2^126: Int128 is exact.
+// Widths. With |x|, |y| <= 2^26 a difference takes 27 bits and a sign, so products of two, doubled
+// areas and the numerators of crossings stay below 2^56 and fit into int64_t. Weights times a z
+// below 2^60, and codes times 256 doubled areas, stay below 2^126 and fit into Int128.
 constexpr int64_t kMaxCoordinate = int64_t{1} << 26;
 constexpr int64_t kMaxValue = int64_t{1} << 60;
 
@@ -81,7 +82,7 @@ Judge::Judge(Triangle triangle, int subpixel_bits, const Frame& frame)
   }
   for (const Vertex& v : v_) check_vertex(v);
   area2_ = cross(v_[0], v_[1].x, v_[1].y, v_[2].x, v_[2].y);
-  // Counter-clockwise on screen is front; a triangle without area is drawn by nobody.
+  // Counter-clockwise on screen is front-facing. A triangle without area is never drawn.
   culled_ = area2_ == 0 || (frame.cull == Cull::kFront && area2_ < 0) ||
             (frame.cull == Cull::kBack && area2_ > 0);
 }
@@ -95,10 +96,10 @@ bool Judge::covers(int x, int y) const {
   return s.first <= x && x <= s.last;
 }
 
-// The top-left rule as an interval rule: a row belongs to an edge that starts at or above its
-// centre and ends below it, so a horizontal edge never crosses a row, a triangle's topmost row
-// counts and its bottom row does not; of the two crossings the left one counts and the right one
-// does not. No orientation enters, and no sign of an edge.
+// The top-left rule by half-open intervals. An edge crosses a row of samples if it starts at or
+// above the row's centre and ends below it: so horizontal edges cross no row, samples on a top edge
+// are covered, and samples on a bottom edge are not. Of the row's two crossings the left one is
+// included and the right one excluded. Neither orientation nor signs of edge functions are needed.
 Span Judge::span(int y) const {
   if (culled_ || y < frame_.y0 || y >= frame_.y1) return {};
   const int64_t row = centre(y, subpixel_bits_);
@@ -162,7 +163,8 @@ int64_t snap(float value, int subpixel_bits, int guard_bits, bool* saturated) {
   const double scaled = std::ldexp(static_cast<double>(value), subpixel_bits);
   const double high = std::ldexp(1.0, guard_bits + subpixel_bits) - 1;
   const double low = -high - 1;
-  // More than a unit outside: decided before the rounding, so that an infinity never enters it.
+  // Clamped to more than a unit outside the range before rounding, so that infinities become finite
+  // and still count as saturated.
   const double held = std::clamp(scaled, low - 2, high + 2);
   const double below = std::floor(held);
   const double rest = held - below;
@@ -177,7 +179,7 @@ int64_t depth_input(float z, int depth_bits, bool* clamped) {
   int exponent = 0;
   const float fraction = std::frexp(std::clamp(z, 0.0f, 1.0f), &exponent);
   const auto mantissa = static_cast<int64_t>(std::ldexp(fraction, 24));
-  // z = mantissa / 2^shift. From shift 90 on the product below is less than half a unit.
+  // z = mantissa / 2^shift. With a shift above 90 the result below is less than half a unit, so 0.
   const int shift = 24 - exponent;
   if (shift > 90) return 0;
   const Int128 top_code = (Int128{1} << depth_bits) - 1;

@@ -1,6 +1,6 @@
 // The judge: coverage, depth and attributes of a triangle in exact integers and rationals, from its
-// snapped vertices (Judge) or from the floats of a scene on (ScreenJudge).
-// A third opinion, written apart: it includes nothing of the rest of the project.
+// snapped vertices (Judge) or from a scene's floats (ScreenJudge). An independent reference for
+// model and RTL: it includes nothing of the rest of the project.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct Frame {
   int width = 0;
   int height = 0;
   Cull cull = Cull::kNone;
-  // Columns [x0, x1) and rows [y0, y1) alone belong to it, as far as they lie in it.
+  // Scissor: only columns [x0, x1) and rows [y0, y1) are drawn. It may reach beyond the frame.
   int x0 = 0;
   int y0 = 0;
   int x1 = INT32_MAX;
@@ -44,35 +44,35 @@ struct Span {
   int last = -1;
 };
 
-/// One triangle in one frame, judged sample by sample. All answers are exact; an error is computed
-/// exactly and divided and rounded once at the end (within .501 ulp of a double).
+/// One snapped triangle in one frame, judged sample by sample. All results are exact, except that
+/// errors are rounded to a double once, at the end (within .501 ulp).
 ///
 /// In       |x|, |y| <= 2^26 subpixels, 0 <= z <= 2^60, 1 to 12 subpixel bits.
-/// Errors   std::out_of_range beyond that; std::domain_error where the sample lies outside.
+/// Errors   std::out_of_range beyond that; std::domain_error where a sample is not covered.
 class Judge {
  public:
   Judge(Triangle triangle, int subpixel_bits, int width, int height, Cull cull)
       : Judge(std::move(triangle), subpixel_bits, Frame{width, height, cull}) {}
-  /// Of the frame's state what decides coverage: shading and depth bias belong to ScreenJudge.
+  /// Uses only the frame's size, scissor and culling; ScreenJudge handles shading and depth bias.
   Judge(Triangle triangle, int subpixel_bits, const Frame& frame);
 
   /// The triangle as it was given.
   const Triangle& vertices() const { return v_; }
   /// Doubled area in units of 2^-2S px^2, positive when clockwise on screen.
   int64_t doubled_area() const;
-  /// Nothing is drawn: zero area, or culled by facing.
+  /// True if nothing is drawn: zero area, or culled by facing.
   bool culled() const;
   /// Does the sample of pixel (x, y) belong to the triangle, by the top-left rule?
   bool covers(int x, int y) const;
-  /// The covered samples of a row, found by division, not by stepping.
+  /// The covered samples of a row, computed by division, not by stepping.
   Span span(int y) const;
   /// First and last row that may hold covered samples; empty when first > last.
   Span rows() const;
-  /// Covered samples of the frame.
+  /// Number of covered samples in the frame.
   int64_t samples() const;
-  /// Barycentric weights of the sample of (x, y), in units of 2^-2S px^2: the doubled area that it
-  /// spans with the edge opposite to each vertex, in the order given. None is negative and they sum
-  /// to |doubled_area()|. The sample must be covered.
+  /// Barycentric weights of the sample of pixel (x, y), in units of 2^-2S px^2: for each vertex, in
+  /// the order given, the doubled area of the sample and the opposite edge. None is negative, and
+  /// their sum is |doubled_area()|. The sample must be covered.
   std::array<int64_t, 3> weights(int x, int y) const;
 
   /// `code` minus the exact depth at the sample of (x, y), in codes. The sample must be covered.
@@ -88,8 +88,8 @@ class Judge {
   bool culled_;
 };
 
-/// A vertex as a scene states it: x, y in px, y down; z in [0, 1]; w the clip-space w; straight
-/// colour of 8 bits a component.
+/// A vertex as a scene states it: x, y in px, y down; z in [0, 1]; the clip-space w; colour with 8
+/// bits a component, not premultiplied.
 struct ScreenVertex {
   float x = 0;
   float y = 0;
@@ -104,12 +104,12 @@ struct Format {
   int subpixel_bits = 8;   // 1 to 12
   int guard_bits = 14;     // up to 26 together with subpixel_bits
   int depth_bits = 24;     // up to 32
-  int attributes = 4;      // up to 16: r, g, b, a; those after the fourth are 0 everywhere
+  int attributes = 4;      // up to 16: r, g, b, a; all after the fourth are 0
   int attribute_bits = 8;  // up to 16
 };
 
-/// An exact value v >= 0 in codes: whole = floor(v) and nearest = floor(v + 1/2) are exact,
-/// fraction is v - whole to within 2^-53 and lies in [0, 1).
+/// A value v >= 0 in codes. whole = floor(v) and nearest = floor(v + 1/2) are exact; fraction = v -
+/// whole, in [0, 1), is within 2^-53.
 struct Value {
   int64_t whole = 0;
   double fraction = 0;
@@ -117,13 +117,13 @@ struct Value {
 
   /// code - v, to within 2^-53 and the rounding of the result.
   double error_of(int64_t code) const;
-  /// value * 2^-fraction_bits - v, for values before their final rounding: 0 to 52 bits.
+  /// value * 2^-fraction_bits - v, for values before the final rounding; 0 to 52 fraction bits.
   double error_of(int64_t value, int fraction_bits) const;
 };
 
-/// A covered sample: depth with its bias, clamped to the codes there are; and the attributes r, g,
-/// b, a interpolated linearly on the screen and with perspective correction. Those that the format
-/// leaves out are 0.
+/// A covered sample: depth with its bias, clamped to the range of codes; and the attributes r, g,
+/// b, a, both interpolated affinely on the screen and with perspective correction. Attributes that
+/// the format does not have are 0.
 struct Sample {
   int x = 0;
   int y = 0;
@@ -132,7 +132,7 @@ struct Sample {
   std::array<Value, 4> perspective;
 };
 
-/// One triangle from its floats on: snapped by the rules, then judged row by row.
+/// One triangle given in floats: snapped by the rules below, then judged row by row.
 ///
 /// Bits     x, y by snap(), z by depth_input(), a colour c as c*(2^attribute_bits - 1)/255 to the
 ///          nearest. Values are interpolated between these snapped values at snapped positions; z
@@ -145,25 +145,26 @@ class ScreenJudge {
  public:
   ScreenJudge(const ScreenTriangle& triangle, const Format& format, const Frame& frame);
 
-  /// A component is NaN: no samples.
+  /// A component is NaN, so there are no samples.
   bool dropped() const { return dropped_; }
-  /// Nothing is drawn: dropped, zero area after snapping, or culled by facing.
+  /// True if nothing is drawn: dropped, zero area after snapping, or culled by facing.
   bool culled() const { return snapped_.culled(); }
-  /// All w are equal, or shading is flat, so that perspective and affine values are the same.
+  /// All w are equal or shading is flat, so perspective and affine values are the same.
   bool affine() const { return affine_; }
-  /// max(|dz/dx|, |dz/dy|) in codes a px, to within a few 2^-53 of itself; 0 without area.
+  /// max(|dz/dx|, |dz/dy|) in codes per px, with a relative error of a few 2^-53; 0 without area.
   double depth_slope() const;
-  /// The judge of the snapped triangle; of one without area when dropped.
+  /// The judge of the snapped triangle; if dropped(), that of a triangle without area.
   const Judge& snapped() const { return snapped_; }
-  /// As those of Judge.
+  /// See Judge.
   Span rows() const { return snapped_.rows(); }
   Span span(int y) const { return snapped_.span(y); }
 
-  /// Appends the covered samples of a row, left to right. Without perspective that part stays 0.
+  /// Appends the covered samples of a row, left to right. Without `with_perspective` the
+  /// perspective values are 0.
   void row(int y, bool with_perspective, std::vector<Sample>* out) const;
 
  private:
-  /// Depth of a row with its bias.
+  /// Computes the biased depths of a row.
   void biased_row(const std::array<int64_t, 3>& at, const std::array<int64_t, 3>& next,
                   Sample* first, Sample* last) const;
 
@@ -172,21 +173,21 @@ class ScreenJudge {
   Frame frame_;
   bool dropped_;
   bool affine_ = true;
-  size_t attributes_;  // of those that a Sample has
+  size_t attributes_;  // of the format, at most the 4 that a Sample has
   // E_i/w_i is proportional to E_i * product_[i] * 2^shift_[i].
   std::array<int64_t, 3> product_{};
   std::array<int, 3> shift_{};
-  bool narrow_ = true;  // the sums with perspective fit into 128 bits
+  bool narrow_ = true;  // the perspective sums fit into 128 bits
 };
 
 /// The snapped coordinate of a float in px: to the nearest multiple of 2^-subpixel_bits, halves to
 /// even, in units of 2^-subpixel_bits px, saturated to [-2^guard_bits, 2^guard_bits -
-/// 2^-subpixel_bits]. *saturated says whether the rounded value lay outside. Denormals count as 0.
-/// NaN must not come here.
+/// 2^-subpixel_bits]. *saturated says whether the rounded value lay outside. Denormals become 0.
+/// `value` must not be NaN.
 int64_t snap(float value, int subpixel_bits, int guard_bits, bool* saturated);
 
-/// z*(2^depth_bits - 1) in units of 2^-8 codes, halves up, z clamped to [0, 1]; *clamped says
-/// whether it lay outside. depth_bits <= 32. NaN must not come here.
+/// z*(2^depth_bits - 1) in units of 2^-8 codes, rounded half up, with z clamped to [0, 1]; *clamped
+/// says whether z lay outside. depth_bits <= 32; z must not be NaN.
 int64_t depth_input(float z, int depth_bits, bool* clamped);
 
 }  // namespace exact

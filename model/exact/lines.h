@@ -1,5 +1,5 @@
-// Numbers, corners and lines of the mesh judge: each formula once, in floating point with an error
-// bound and in integers.
+// Arithmetic of the mesh judge. Each formula is a template that works in floating point with an
+// error bound, and in exact integers where that bound does not suffice.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@ namespace exact {
 
 using Integer = boost::multiprecision::cpp_int;
 
-/// A number and the sum of the magnitudes that it was made of: it is off by less than
-/// kErrorOfMagnitude of that, after the few dozen roundings that an edge function takes.
+/// A number and the sum of the magnitudes of the terms that it was computed from. Its error is
+/// below kErrorOfMagnitude * magnitude, for the few dozen roundings that an edge function takes.
 struct Approximate {
   long double value = 0;
   long double magnitude = 0;
@@ -37,13 +37,13 @@ inline Approximate operator*(const Approximate& a, const Approximate& b) {
 inline Approximate magnitude_of(const Approximate& a) { return {std::abs(a.value), a.magnitude}; }
 inline Integer magnitude_of(const Integer& a) { return abs(a); }
 
-/// Of a sum of so many numbers.
+/// Enlarges the error bound of a sum for its number of terms; integers have none.
 inline void widen(Approximate* sum, size_t terms) {
   sum->magnitude *= 1 + static_cast<long double>(terms) / 32;
 }
 inline void widen(Integer*, size_t) {}
 
-/// Does the error bound tell the sign?
+/// Is the sign certain, given the error bound?
 inline bool is_certain(const Approximate& a) {
   return std::abs(a.value) >= kErrorOfMagnitude * a.magnitude;
 }
@@ -73,14 +73,15 @@ T determinant(const Corner<T>& p, const Corner<T>& q, const Corner<T>& r) {
   return dot(cross(q, r), p);
 }
 
-/// a*x + b*y + c at the sample of pixel (x, y), and the band around its zeros; all times a positive
-/// number.
+/// The line function a*x + b*y + c at the sample of pixel (x, y), and the half width of the band
+/// around its zeros; all scaled by the same positive number.
 template <class T>
 struct Line {
   T a, b, c, band;
 };
 
-// n . (ray of the sample), times width, height and the denominator of a band.
+// The dot product of n with the ray through a sample, as a function of the pixel; scaled by width *
+// height * 2^kBandFractionBits so that all coefficients are integers.
 template <class T>
 Line<T> line_of(const Vector<T>& n, const MeshFrame& f) {
   const T scale(1 << MeshFrame::kBandFractionBits);

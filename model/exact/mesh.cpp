@@ -12,7 +12,7 @@ namespace exact {
 
 namespace {
 
-// The number without its power of two 2^least.
+// value / 2^least as an integer.
 Integer scaled(double value, int least) {
   int exponent = 0;
   const double mantissa = std::frexp(value, &exponent);
@@ -20,7 +20,7 @@ Integer scaled(double value, int least) {
   return value == 0 ? Integer(0) : Integer(integer << (exponent - 53 - least));
 }
 
-// The least power of two that the corners' numbers are multiples of.
+// An exponent e such that all coordinates of the corners are multiples of 2^e.
 int least_exponent(const std::vector<ClipCorner>& corners) {
   int least = std::numeric_limits<int>::max();
   for (const ClipCorner& c : corners) {
@@ -55,13 +55,14 @@ bool is_empty(const Span& s) { return s.first > s.last; }
 }  // namespace
 
 struct FaceJudge::Planes {
-  /// The edges in order, then those of `more`, which are positive where the face is drawn.
+  /// The lines of the edges in order, then those of add_lines(), which are positive where the face
+  /// is drawn.
   template <class T>
   struct Lines {
     std::vector<Corner<T>> corner;
     std::vector<Line<T>> line;
-    T area;                 // of the polygon, times its distance: positive when counter-clockwise
-    std::vector<T> pieces;  // the same of the fan's triangles
+    T area;                 // the sum of `pieces`: positive when counter-clockwise on screen
+    std::vector<T> pieces;  // for each triangle of the fan, the determinant of its corners
   };
 
   Planes(const std::vector<ClipCorner>& corner, const MeshFrame& frame)
@@ -76,10 +77,10 @@ struct FaceJudge::Planes {
     facing = sign([](const auto& lines) { return lines.area; });
     best_way = sign([this](const auto& lines) { return lines.pieces[best]; });
     add_lines(&approximate);
-    exact_.reset();  // it has no lines beyond the edges yet
+    exact_.reset();  // made before best and best_way were known, so its further lines are wrong
   }
 
-  /// The sign of what call(lines) gives: approximately if that is certain.
+  /// The sign of call(lines): from floating point if certain, else from integers.
   template <class Call>
   int sign(Call call) const {
     const Approximate value = call(approximate);
@@ -87,7 +88,7 @@ struct FaceJudge::Planes {
     return sign_of(static_cast<Integer>(call(exactly())));
   }
 
-  /// Of line i, plus `margin` bands.
+  /// The sign of way * line i at pixel (x, y), plus `margin` bands.
   int sign(size_t i, int way, int x, int y, int margin) const {
     return sign([&](const auto& lines) {
       using T = std::decay_t<decltype(lines.area)>;
@@ -96,7 +97,7 @@ struct FaceJudge::Planes {
     });
   }
 
-  /// Does a corner lie above the row of samples?
+  /// Does corner i lie above the samples of row y?
   bool is_above(size_t i, int y) const {
     return sign([&](const auto& lines) {
              using T = std::decay_t<decltype(lines.area)>;
@@ -106,8 +107,8 @@ struct FaceJudge::Planes {
   }
 
   Lines<Approximate> approximate;
-  size_t best = 0;   // the fan's triangle that says best in which plane the face lies
-  int best_way = 0;  // its facing
+  size_t best = 0;   // the fan's greatest triangle, which defines the face's plane most accurately
+  int best_way = 0;  // the sign of its determinant: its facing
   int facing = 0;
 
  private:
@@ -126,7 +127,8 @@ struct FaceJudge::Planes {
     widen(&lines->area, lines->pieces.size());
   }
 
-  // Where the ray hits the face's plane: in front of the eye, and beyond the planes of depth.
+  // Lines that are positive where a sample's ray hits the face's plane in front of the eye, and
+  // where the hit lies inside the depth planes that cut.
   template <class T>
   void add_lines(Lines<T>* lines) const {
     const auto& c = lines->corner;
@@ -170,7 +172,7 @@ FaceJudge::FaceJudge(std::vector<ClipCorner> corners, const MeshFrame& frame)
   facing_ = planes_->facing;
   culled_ =
       (frame.cull == Cull::kBack && facing_ <= 0) || (frame.cull == Cull::kFront && facing_ > 0);
-  // The bands of two edges that meet at a sharp corner reach far beyond it: the boxes end them.
+  // At a sharp corner the bands of both edges reach far beyond it, so boxes limit them.
   box_ = box_of(corner_);
   if (is_empty(box_.columns)) box_.rows = {};
   for (size_t i = 0; i < corner_.size() && corner_.size() > 3; ++i) {
@@ -180,7 +182,7 @@ FaceJudge::FaceJudge(std::vector<ClipCorner> corners, const MeshFrame& frame)
 
 FaceJudge::~FaceJudge() = default;
 
-// The pixels whose samples lie in the box around some corners, or within reach of it.
+// The pixels whose samples lie in the bounding box of some corners, enlarged by the band.
 FaceJudge::Box FaceJudge::box_of(const std::vector<ClipCorner>& corners) const {
   Box all{common({frame_.x0, frame_.x1 - 1}, {0, frame_.width - 1}),
           common({frame_.y0, frame_.y1 - 1}, {0, frame_.height - 1})};
@@ -196,7 +198,7 @@ FaceJudge::Box FaceJudge::box_of(const std::vector<ClipCorner>& corners) const {
     low_x = std::min(low_x, x), high_x = std::max(high_x, x);
     low_y = std::min(low_y, y), high_y = std::max(high_y, y);
   }
-  constexpr long double kRoundings = 1e-6;  // px, far more than those above
+  constexpr long double kRoundings = 1e-6;  // px, far more than the rounding errors above
   const long double reach =
       std::ldexp(static_cast<long double>(frame_.band), -MeshFrame::kBandFractionBits) + kRoundings;
   const auto pixels = [&](long double low, long double high, int size) {
@@ -209,14 +211,15 @@ FaceJudge::Box FaceJudge::box_of(const std::vector<ClipCorner>& corners) const {
           common(all.rows, pixels(low_y, high_y, frame_.height))};
 }
 
-// The columns where line i, as seen from the face, plus `margin` bands is positive, or at least not
-// negative. They are all those on one side of a place.
+// The columns of row y where way * line i + margin * band is positive (`strictly`) or not negative.
+// Since the line is linear in x, they are all columns, none, or those on one side of its zero.
 Span FaceJudge::where(size_t i, int way, int y, int margin, bool strictly) const {
   const int least = strictly ? 1 : 0;
   const auto holds = [&](int x) { return planes_->sign(i, way, x, y, margin) >= least; };
   const bool at_first = holds(box_.columns.first), at_last = holds(box_.columns.last);
   if (at_first == at_last) return at_first ? box_.columns : Span{};
-  // The last column that is like the first one.
+  // Bisection, starting near the line's zero: columns up to `low` are like the first one, columns
+  // from `high` on like the last one.
   int low = box_.columns.first, high = box_.columns.last;
   const Line<Approximate>& l = planes_->approximate.line[i];
   const long double zero =
@@ -247,12 +250,12 @@ void FaceJudge::fill(Span columns, int8_t value, std::vector<int8_t>* hits) cons
   std::fill(from + s.first, from + s.last + 1, value);
 }
 
-// Where a line's band meets the row.
+// The columns of row y that lie in the band of line i.
 Span FaceJudge::band(size_t i, int y) const {
   return common(where(i, 1, y, 1, false), where(i, -1, y, 1, false));
 }
 
-// A triangle is where all of its lines are positive.
+// A triangle covers the samples where all of its lines are positive.
 void FaceJudge::convex_row(int y, std::vector<int8_t>* hits) const {
   constexpr size_t kEdges = 3;
   Span may = box_.columns, must = box_.columns;
@@ -268,7 +271,8 @@ void FaceJudge::convex_row(int y, std::vector<int8_t>* hits) const {
   if (facing_ != 0) fill(must, culled_ ? 0 : 1, hits);
 }
 
-// How often the polygon winds around a sample: what edges lie beside it, in the plane of the face.
+// The winding number of the polygon around each sample of a row, seen in the face's plane: the sum
+// of the directions of the edges that pass it on one side.
 std::vector<int> FaceJudge::windings(int y) const {
   std::vector<int> steps(place_of(box_.columns.last) + 2);
   std::vector<bool> above(corner_.size());

@@ -1,4 +1,4 @@
-// A triangle's values at a sample, and a polygon moved into its plane.
+// The values of a triangle at a sample, and flattening of a polygon.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,7 +32,7 @@ FlatPolygon flattened(const std::vector<ClipCorner>& corners, const MeshFrame& f
     const long double off = (dot(normal, from_origin(c)) - plane) / length;
     const long double greatest = std::max(
         {std::abs<long double>(c.x), std::abs<long double>(c.y), std::abs<long double>(c.w)});
-    if (std::abs(off) <= std::ldexp(greatest, -40)) continue;  // roundings
+    if (std::abs(off) <= std::ldexp(greatest, -40)) continue;  // off the plane only by rounding
     const ClipCorner from = c;
     c.x = static_cast<double>(c.x - off * normal[0] / length);
     c.y = static_cast<double>(c.y - off * normal[1] / length);

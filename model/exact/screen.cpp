@@ -1,6 +1,6 @@
-// From the floats of a scene to exact values. Along a row a value is a fraction whose numerator and
-// denominator change by constants; affine values step by quotient and remainder, without a
-// division.
+// Exact values of a triangle given in floats. Along a row a value is a fraction whose numerator and
+// denominator change by constants. Affine values are stepped as quotient and remainder, without
+// divisions.
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
@@ -14,9 +14,9 @@ namespace exact {
 namespace {
 
 __extension__ typedef __int128 Int128;
-// Beyond 128 bits. An odd mantissa and its exponent make w = m * 2^e with m < 2^24 and
-// -149 <= e <= 127, so that product * 2^shift < 2^(48 + 276); an area of 54 bits and an attribute
-// of 16 make 394. Overflow throws.
+// For perspective sums that need more than 128 bits. w = m * 2^e with m odd, m < 2^24 and -149 <= e
+// <= 127, so product * 2^shift < 2^(48 + 276); with an area of 54 bits and an attribute of 16 that
+// is 394 bits. Overflow throws.
 using Wide = boost::multiprecision::checked_int512_t;
 
 using Weights = std::array<int64_t, 3>;
@@ -53,7 +53,7 @@ Vertex snap_vertex(const ScreenVertex& v, const Format& format) {
   if (!std::isnormal(v.w) || v.w < 0) {
     throw std::out_of_range("exact: w must be positive, neither denormal nor infinite");
   }
-  bool outside = false;  // the caller's to count
+  bool outside = false;  // not used: the judge does not count saturation
   Vertex snapped;
   snapped.x = snap(v.x, format.subpixel_bits, format.guard_bits, &outside);
   snapped.y = snap(v.y, format.subpixel_bits, format.guard_bits, &outside);
@@ -62,7 +62,8 @@ Vertex snap_vertex(const ScreenVertex& v, const Format& format) {
   const int greatest = (1 << format.attribute_bits) - 1;
   for (size_t i = 0; i < v.rgba.size() && i < snapped.attr.size(); ++i) {
     check_range(v.rgba[i], 0, 255, "exact: a colour must be 0 to 255");
-    // No halves: 2*c*greatest is even and an odd multiple of 255 is odd.
+    // To the nearest. There are no ties: they need 2*c*greatest to be an odd multiple of 255, but
+    // it is even.
     snapped.attr[i] = (v.rgba[i] * greatest + 127) / 255;
   }
   return snapped;
@@ -77,8 +78,7 @@ Triangle snap_triangle(const ScreenTriangle& t, const Format& format, const Fram
   return v;
 }
 
-// The greater numerator of a triangle's depth gradients, to divide by the doubled area: below 2^68,
-// in units of 2^-8 codes times subpixels.
+// max(|dz/dx|, |dz/dy|) times the doubled area: below 2^68, in units of 2^-8 codes times subpixels.
 Int128 steepest(const Triangle& t) {
   const auto magnitude = [&](int64_t Vertex::*along) {
     const Int128 numerator = Int128{t[1].z - t[0].z} * (t[2].*along - t[0].*along) -
@@ -107,20 +107,20 @@ OddFloat odd_float(float value) {
   return {mantissa, exponent};
 }
 
-// v = whole + fraction. The quotient of two integers rounded to 64 bits lies within 2^-64, and once
-// more rounded to a double within 2^-54 + 2^-64; 1 itself is left to `whole`.
+// v = whole + fraction. A quotient of two integers in a 64-bit mantissa is within 2^-64, and
+// rounded to a double within 2^-54 + 2^-64. A fraction that rounds up to 1 is clamped below 1.
 Value make_value(int64_t whole, long double fraction, bool half) {
   static_assert(std::numeric_limits<long double>::digits >= 64, "2^-53 needs a long double");
   constexpr double kBelowOne = 1 - std::numeric_limits<double>::epsilon() / 2;
   return {whole, std::min(static_cast<double>(fraction), kBelowOne), half ? whole + 1 : whole};
 }
 
-// The mean of three vertices' values under the weights of the samples of a row.
+// The weighted mean of the three vertices' values, stepped along the samples of a row.
 //
-// Widths: the weights sum to at most 2^54 (see Judge) and a value lies below 2^40, so the numerator
-// stays below 2^94. The denominator, the area in units of the values, has at most 62 bits: a
-// remainder and a step of it, both smaller in magnitude, sum to less than 2^63. Quotients are means
-// of the values, and the step is the difference of two of them.
+// Widths: the weights sum to at most 2^54 (see Judge) and a value is below 2^40, so the numerator
+// is below 2^94. The denominator, the area times the unit of the values, has at most 62 bits, so a
+// remainder plus a step of it is below 2^63. Quotients are means of the values, and their step is
+// the difference of two means, so both are small.
 class Mean {
  public:
   Mean(const Weights& at, const Weights& next, const std::array<int64_t, 3>& values,
@@ -164,7 +164,7 @@ class Mean {
   int64_t rest_step_;
 };
 
-// A sum over the vertices that changes by a constant from sample to sample.
+// A sum over the vertices that changes by the constant `step` from sample to sample.
 template <typename Integer>
 struct Sum {
   Integer value = 0;
@@ -230,7 +230,7 @@ ScreenJudge::ScreenJudge(const ScreenTriangle& triangle, const Format& format, c
       attributes_(static_cast<size_t>(std::min(format.attributes, 4))) {
   affine_ = frame.flat || (triangle[0].w == triangle[1].w && triangle[1].w == triangle[2].w);
   if (culled() || affine_) return;
-  // Times w_0 w_1 w_2, 1/w_i becomes the product of the other two.
+  // Multiplied by w_0 w_1 w_2, each 1/w_i becomes the product of the other two w's.
   std::array<OddFloat, 3> w{};
   for (size_t i = 0; i < 3; ++i) w[i] = odd_float(triangle[i].w);
   const int highest = std::max({w[0].exponent, w[1].exponent, w[2].exponent});
@@ -240,8 +240,8 @@ ScreenJudge::ScreenJudge(const ScreenTriangle& triangle, const Format& format, c
     shift_[i] = highest - w[i].exponent;
     factor_bits = std::max(factor_bits, bit_length(product_[i]) + shift_[i]);
   }
-  // A sum is at most the area times the greatest factor times the greatest attribute; its step is
-  // the difference of two such sums. Below 2^126 both, they sum to less than 2^127.
+  // A sum is at most area * greatest factor * greatest attribute, and its step is the difference of
+  // two such sums. If both are below 2^126, sum plus step is below 2^127.
   const int area_bits = bit_length(std::abs(snapped_.doubled_area()));
   narrow_ = area_bits + factor_bits + format.attribute_bits <= 126;
 }
@@ -254,8 +254,8 @@ double ScreenJudge::depth_slope() const {
                     format_.subpixel_bits - 8);
 }
 
-// In units of 2^-16 codes over the area: below 2^102 each of depth, constant, slope and greatest
-// code, so that sums and steps fit into 128 bits.
+// Numerators in units of 2^-16 codes / area. Those of depth, constant, slope and greatest code are
+// below 2^102 each, so sums and steps fit into 128 bits.
 void ScreenJudge::biased_row(const Weights& at, const Weights& next, Sample* first,
                              Sample* last) const {
   const Triangle& t = snapped_.vertices();

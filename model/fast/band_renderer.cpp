@@ -37,7 +37,7 @@ void BandRenderer::draw(const std::vector<spec::Triangle>& triangles) {
 }
 
 core::FrameCounters BandRenderer::counters() const {
-  core::FrameCounters sum = bands_[0]->counters();  // each band sets up every triangle
+  core::FrameCounters sum = bands_[0]->counters();  // setup's counts are the same in each band
   for (size_t i = 1; i < bands_.size(); ++i) {
     for (const core::FrameCounter& row : core::kFrameCounters) {
       const bool of_triangles = row.is_drop() || row.member == &core::FrameCounters::triangles;

@@ -9,7 +9,7 @@ Level level = Level::kBase;
 std::vector<Level> levels() {
   std::vector<Level> all{Level::kBase};
 #if defined(__x86_64__)
-  // What x86-64-v3 and v4 add; processors that have these have the rest of it.
+  // Checks some of what x86-64-v3 and v4 add; processors with these features have the others, too.
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("bmi2") ||
       !__builtin_cpu_supports("fma")) {
     return all;

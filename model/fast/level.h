@@ -8,24 +8,24 @@ namespace pineda::fast {
 /// What a kernel is compiled for; the bits are the same at every level.
 enum class Level { kBase, kAvx2, kAvx512 };
 
-/// Those that this machine can run, kBase first.
+/// The levels that this machine can run, kBase first.
 std::vector<Level> levels();
 
-/// Before start-up is over kBase, then the greatest of levels(), unless a test asks for another.
-/// Not while another thread draws.
+/// Selects the level; must not be called while another thread draws. During start-up the level is
+/// kBase, then the greatest of levels() unless a test selects another one.
 void set_level(Level level);
 
 namespace detail {
-extern Level level;  // of the kernels that are called
+extern Level level;  // whose kernels are called
 }
 
-/// Vectors cross no call: what takes one is inlined into a kernel.
+/// No vector is passed in a call: functions that take vectors are inlined into a kernel.
 #define PINEDA_INLINE inline __attribute__((always_inline))
-#define PINEDA_INLINED __attribute__((always_inline))  // of a lambda
+#define PINEDA_INLINED __attribute__((always_inline))  // for lambdas
 
 /// PINEDA_KERNEL(RESULT, NAME, (PARAMETERS), (ARGUMENTS)) { ... } defines a function that is
-/// compiled for each level, and called for the machine's: with GCC and clang, under the sanitizers
-/// too.
+/// compiled for each level and calls the version of the selected level: with GCC and clang, under
+/// the sanitizers, too.
 #if defined(__x86_64__)
 #define PINEDA_KERNEL(result, name, parameters, arguments)                           \
   PINEDA_INLINE result name##_body parameters;                                       \

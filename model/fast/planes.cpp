@@ -25,22 +25,24 @@ PINEDA_INLINE Numerators numerators(const PlaneSetup& s, const std::array<int64_
   return {d1 * s.dy[1] - d2 * s.dy[0], d2 * s.dx[0] - d1 * s.dx[1]};
 }
 
-// What numerator * mantissa is shifted by to be numerator * 2^(S - fraction_bits) / area2 in units
-// of 2^-f.
+// The right shift that turns numerator * mantissa into numerator * 2^(S - fraction_bits) / area2 in
+// units of 2^-f.
 PINEDA_INLINE int gradient_shift(const Contract& c, int length, int fraction_bits, int f) {
   return c.design.reciprocal_bits + length - 1 - f - c.design.subpixel_bits + fraction_bits;
 }
 
-// Whether word_plane() has the bits of core::plane(): a numerator is a word, and so are the bits
-// that matter of a gradient, to one fraction bit, and of a reference before it is shifted.
+// Does word_plane() give the bits of core::plane()? It does if a numerator fits a word, and so do
+// the significant bits of a gradient, with one more fraction bit, and of a reference before its
+// shift.
 PINEDA_INLINE bool has_word_planes(const Contract& c, int numerator, int fraction_bits, int bits) {
   const int longest = c.width.area2 - 1;
   return numerator <= kWordBits && bits + c.design.subpixel_bits < kWordBits &&
          gradient_shift(c, longest, fraction_bits, c.design.gradient_fraction_bits) < kWordBits;
 }
 
-// The same for such a plane, without branches. Rounding takes one fraction bit more and adds 1 to
-// it: (2v / 2^shift + 1) / 2, each cut off, also where shift is 0.
+// core::plane() for such a design, without branches. Rounding keeps one more fraction bit and adds
+// 1 to it: (2v / 2^shift + 1) / 2, both divisions rounding down, which is right for a shift of 0,
+// too.
 PINEDA_INLINE Plane word_plane(const Contract& c, const PlaneSetup& s,
                                const std::array<int64_t, 3>& value, int fraction_bits, int bits) {
   const int f = c.design.gradient_fraction_bits;
@@ -62,21 +64,21 @@ PINEDA_INLINE Plane word_plane(const Contract& c, const PlaneSetup& s,
           wrap(static_cast<int64_t>(at_ref) >> subpixel_bits, bits)};
 }
 
-// As signed words. (__builtin_convertvector takes GCC three instructions instead of two.)
+// Widens to signed words. (For __builtin_convertvector GCC takes three instructions, not two.)
 PINEDA_INLINE void widen(const Uint32x4& v, Int64x4* out) {
   const Uint32x8 twice = __builtin_shufflevector(v, v, 0, 0, 1, 1, 2, 2, 3, 3);
   *out = reinterpret_cast<Int64x4>(twice) >> 32;
 }
 
-// The low `bits` bits, above `fraction_bits` that are cut off.
+// Drops the low `fraction_bits` and sign-extends the `bits` bits above them.
 PINEDA_INLINE void wrap_each(const Uint64x4& v, int bits, int fraction_bits, Int64x4* out) {
   const int above = kWordBits - bits;
   const Uint64x4 raised = v << (above - fraction_bits);
   *out = reinterpret_cast<Int64x4>(raised) >> above;
 }
 
-// Four planes, from a vector each of their gradients and references. They lie in memory as
-// dx0 dy0 ref0 dx1 | dy1 ref1 dx2 dy2 | ref2 dx3 dy3 ref3.
+// Stores four planes, given as a vector each of gradients and references. In memory they are dx0
+// dy0 ref0 dx1 | dy1 ref1 dx2 dy2 | ref2 dx3 dy3 ref3.
 PINEDA_INLINE void store_planes(const Int64x4& dx, const Int64x4& dy, const Int64x4& ref,
                                 Plane* planes) {
   static_assert(sizeof(Plane) == 3 * sizeof(int64_t));
@@ -92,8 +94,8 @@ PINEDA_INLINE void store_planes(const Int64x4& dx, const Int64x4& dy, const Int6
   std::memcpy(to + 2 * sizeof row0, &row2, sizeof row2);
 }
 
-// word_plane() of all attributes of a design that has narrow ones, four at a time. Differences and
-// products of a numerator wrap at 32 bits, which hold their sum.
+// word_plane() for all attributes of a design that has narrow ones, four at a time. A numerator's
+// differences and products may wrap at 32 bits, since their sum fits.
 PINEDA_INLINE void narrow_planes(const Contract& c, const PlaneSetup& s,
                                  std::array<Plane, spec::kMaxAttributes>* planes) {
   static_assert(spec::kMaxAttributes % 4 == 0);
@@ -119,7 +121,7 @@ PINEDA_INLINE void narrow_planes(const Contract& c, const PlaneSetup& s,
     gradients(d2 * x1 - d1 * x2, &dy);
     Int64x4 at_anchor;
     widen(value[0], &at_anchor);
-    // The reference may wrap on the way.
+    // The terms may wrap at 64 bits: only the low bits of the sum are kept.
     const Uint64x4 at_ref = (reinterpret_cast<Uint64x4>(at_anchor) << (f + subpixel_bits)) +
                             reinterpret_cast<Uint64x4>(dx) * static_cast<uint64_t>(s.ref_x) +
                             reinterpret_cast<Uint64x4>(dy) * static_cast<uint64_t>(s.ref_y) +
@@ -132,7 +134,7 @@ PINEDA_INLINE void narrow_planes(const Contract& c, const PlaneSetup& s,
   }
 }
 
-// One by one, for other designs.
+// For other designs, one attribute at a time.
 [[gnu::noinline]] void wide_planes(const Contract& c, const PlaneSetup& s,
                                    std::array<Plane, spec::kMaxAttributes>* planes) {
   const int bits = c.width.attr_plane;
@@ -148,7 +150,7 @@ PINEDA_INLINE std::array<int64_t, 3> depths(const PlaneSetup& s) {
   return {s.v[0]->z, s.v[1]->z, s.v[2]->z};
 }
 
-// No vectors here: numerator by mantissa has 86 bits with depths of 24.
+// Without vectors: with depths of 24 bits, numerator * mantissa has 86 bits.
 PINEDA_INLINE Plane depth_plane(const Contract& c, const PlaneSetup& s) {
   const int fraction_bits = spec::kDepthInputFractionBits;
   const int bits = c.width.depth_plane;
@@ -168,7 +170,7 @@ PINEDA_INLINE Plane depth_plane(const Contract& c, const PlaneSetup& s) {
 }  // namespace
 
 bool has_narrow_attributes(const Contract& c) {
-  // The numerator in half a word; twice the mantissa by it in a word.
+  // The numerator fits half a word, its product with twice the mantissa a word.
   return has_word_planes(c, c.width.attr_numerator, 0, c.width.attr_plane) &&
          c.width.attr_numerator <= kWordBits / 2 &&
          c.width.attr_numerator + 1 + c.design.reciprocal_bits <= kWordBits;

@@ -9,11 +9,11 @@ namespace pineda::fast {
 /// What the planes of one triangle are made of; vertices in canonical order.
 struct PlaneSetup : core::PlaneSetup {
   std::array<const spec::Vertex*, 3> v;
-  std::array<const spec::Vertex*, 3> painted;  // whose attributes they have
+  std::array<const spec::Vertex*, 3> painted;  // whose attributes are interpolated
 };
 
-/// Whether 64 bits hold all of an attribute's plane on its way: then all of them are made side by
-/// side. The bits are the same.
+/// Do 64 bits hold every intermediate of an attribute's plane? If so, four planes are computed side
+/// by side. The bits are the same.
 bool has_narrow_attributes(const spec::Contract& contract);
 
 /// Bits     those of core::plane(), core::depth_magnitude() and core::depth_bias().

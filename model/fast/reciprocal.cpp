@@ -16,8 +16,8 @@ namespace {
 
 // In newton() and quadratic() m and 1/(2m) are fractions of `bits` bits, m in [1/2, 1).
 
-// a * b / 2^bits, cut off; 0 <= a, b < 2^(bits + 1). The upper word of a product needs no shift of
-// two words by as many bits as a design has.
+// a * b / 2^bits, rounded down; 0 <= a, b < 2^(bits + 1). Takes the upper word of a pre-shifted
+// product, which saves a two-word shift by a variable number of bits.
 PINEDA_INLINE int64_t product(int64_t a, int64_t b, int bits) {
   const auto raised = static_cast<uint64_t>(b) << (63 - bits);
   return static_cast<int64_t>((int128_t{static_cast<uint64_t>(2 * a)} * raised) >> 64);
@@ -25,8 +25,8 @@ PINEDA_INLINE int64_t product(int64_t a, int64_t b, int bits) {
 
 int64_t low_bits(int64_t value, int bits) { return value & ((int64_t{1} << bits) - 1); }
 
-// The ROMs of every size, each entry with its leading 1. That of l index bits begins at 2^l, so the
-// top l + 1 bits of m, the first of which is 1, are the place of its first guess.
+// The ROMs of every size, each entry with its leading 1. The ROM of l index bits begins at 2^l, so
+// the top l + 1 bits of m, the first of which is 1, are the index of its first guess.
 constexpr int kMaxLutBits = 12;  // of a valid design
 constexpr std::array<uint16_t, 2 << kMaxLutBits> make_roms() {
   std::array<uint16_t, 2 << kMaxLutBits> roms{};
@@ -64,8 +64,8 @@ PINEDA_INLINE int64_t newton(const Design& d, int64_t m, int bits) {
   return c.c0 - ((c.c1 * t) >> t_bits) + ((c.c2 * square) >> t_bits);
 }
 
-// 1/(2m) after k+1 bits, m whole: as many bits as a restoring divider finds in k steps, since the
-// first one is known.
+// 1/(2m) with k+1 bits, from all bits of m: as many bits as a restoring divider finds in k steps,
+// since the first one is known.
 [[gnu::noinline]] int64_t quotient(const Design& d, int64_t area2, int length) {
   return static_cast<int64_t>((int128_t{1} << (length + d.reciprocal_bits)) / area2);
 }
@@ -81,7 +81,7 @@ PINEDA_KERNEL(core::Reciprocal, reciprocal, (const spec::Contract& c, int64_t ar
     return {std::min(spec::round_half_up(quotient(d, area2, length), 1), limit), length};
   }
   const int bits = spec::reciprocal_working_bits(d);
-  // In two steps, for 0: the sum of weights where no vertex has one.
+  // Shifts in two steps, so that 0 works: area2 is a sum of weights that may all be 0.
   const uint64_t leading = static_cast<uint64_t>(area2) << (63 - length) << 1;
   const auto m = static_cast<int64_t>(leading >> (64 - bits));
   const int64_t x = d.reciprocal_scheme == ReciprocalScheme::kQuadratic ? quadratic(d, m, bits)

@@ -1,4 +1,4 @@
-// A whole frame, or some rows of its tiles, as fast as it goes.
+// A whole frame, or some rows of its tiles, drawn quickly.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace pineda::fast {
 
 /// Draws triangles one by one, or the part of them that lies in some rows of tiles.
 ///
-/// Bits     those of core::Renderer, and its counters. A design without a reciprocal has no planes
-///          to go by tiles with: core draws it.
+/// Bits     those of core::Renderer, and its counters. A design without a reciprocal has no planes:
+///          core draws it.
 class Renderer {
  public:
   Renderer(const spec::Contract& contract, const spec::FrameState& frame, core::TileRows rows = {});
@@ -22,7 +22,7 @@ class Renderer {
   const core::FrameCounters& counters() const { return counters_; }
   /// The memories after the triangles so far.
   core::FrameBuffer buffer() const;
-  /// Copies its rows of tiles to a buffer of this frame.
+  /// Copies this renderer's rows of tiles to a buffer of the whole frame.
   void copy_rows(core::FrameBuffer* to) const;
 
   void clear();
@@ -41,7 +41,7 @@ class Renderer {
   TileCover cover_;
   StampCounts covered_;  // of one triangle
   TileShader shader_;
-  StampCounts passed_;  // of the triangles before
+  StampCounts passed_;  // shader_.counts() before the triangle
 };
 
 }  // namespace pineda::fast

@@ -16,8 +16,8 @@ using spec::SetupPrim;
 using spec::Triangle;
 using spec::Vertex;
 
-// Straight-line code wherever the way depends on the triangle: nothing foretells which vertex of
-// the next one is topmost, or why it is dropped.
+// What depends on the triangle is branch-free: a processor cannot predict which vertex is topmost,
+// or why a triangle is dropped.
 namespace {
 
 // A triangle's second and third vertex from its first, in subpixels.
@@ -36,15 +36,15 @@ PINEDA_INLINE unsigned is_negative(int64_t value) {
   return static_cast<unsigned>(static_cast<uint64_t>(value) >> 63);
 }
 
-// Of a triangle that has an area. Cull::kBack is bit 0, for area2 > 0, Cull::kFront is bit 1.
+// Is a triangle with an area culled? Cull::kBack is bit 0, for area2 > 0, Cull::kFront is bit 1.
 PINEDA_INLINE bool is_culled(const FrameState& frame, int64_t area2) {
   static_assert(static_cast<int>(spec::Cull::kBack) == 1);
   static_assert(static_cast<int>(spec::Cull::kFront) == 2);
   return (static_cast<unsigned>(frame.cull) >> is_negative(area2) & 1) != 0;
 }
 
-// Boxes are vectors x0 y0 ~x1 ~y1: what holds all of two boxes is the least of each lane, what is
-// in both the greatest.
+// Boxes are vectors x0 y0 ~x1 ~y1: the box around two boxes is the least of each lane, their
+// intersection is the greatest.
 typedef int64_t Int64x2 __attribute__((vector_size(16)));
 constexpr Int32x4 kComplement = {0, 0, -1, -1};
 PINEDA_INLINE Int32x4 around(const Int32x4& a, const Int32x4& b) { return a < b ? a : b; }
@@ -55,7 +55,7 @@ PINEDA_INLINE bool is_empty(const Int32x4& box) {
   return reinterpret_cast<Int64x2>(box > last)[0] != 0;
 }
 
-// Two coordinates that lie side by side, twice.
+// Loads two adjacent coordinates, twice.
 PINEDA_INLINE Int32x4 load_twice(const int32_t* xy) {
   int64_t both;
   std::memcpy(&both, xy, sizeof both);
@@ -67,8 +67,8 @@ PINEDA_INLINE Int32x4 point_box(const Vertex& v) {
   return load_twice(&v.x) ^ kComplement;
 }
 
-// Pixels whose centres lie in a box of subpixels: the right and bottom borders are exclusive, since
-// no sample on them can be on a top or left edge only.
+// The pixels whose centres lie in a box of subpixels. The right and bottom borders are exclusive,
+// since a sample on them is never on top or left edges only.
 //   (x0 + half - 1) >> S,  (x1 - half - 1) >> S = ~((~x1 + half + 1) >> S)
 PINEDA_INLINE Int32x4 sample_box(const Int32x4& box, int subpixel_bits) {
   const int half = 1 << (subpixel_bits - 1);
@@ -111,10 +111,10 @@ PINEDA_INLINE Drop clip_box(const Contract& c, const FrameState& frame, const Tr
 // Canonical order: clockwise from the topmost, then leftmost vertex, the anchor of the planes.
 // Anchoring there makes the codes independent of the order in which the vertices came.
 struct Order {
-  std::array<uint16_t, 4> offset;  // of the vertices, bytes from the first one; the last is unused
+  std::array<uint16_t, 4> offset;  // of the vertices, in bytes; the last one is unused
 };
 
-// By four bits: vertex 1 is before 0, 2 before 0, 2 before 1; and counter-clockwise.
+// Indexed by four bits: vertex 1 is before 0, 2 before 0, 2 before 1; counter-clockwise.
 constexpr std::array<Order, 16> make_orders() {
   constexpr unsigned kAnchor[8] = {0, 1, 2, 1, 0, 0, 2, 2};
   std::array<Order, 16> orders{};
@@ -131,7 +131,7 @@ constexpr auto kOrders = make_orders();
 
 using Vertices = std::array<const Vertex*, 3>;
 PINEDA_INLINE Vertices canonical(const Triangle& t, const Differences& d, int64_t area2) {
-  // Negative: one vertex is before another one.
+  // Negative if the second of the two vertices comes before the first.
   const int64_t from_0_to_1 = d.y1 * (int64_t{1} << 32) + d.x1;
   const int64_t from_0_to_2 = d.y2 * (int64_t{1} << 32) + d.x2;
   const int64_t from_1_to_2 = from_0_to_2 - from_0_to_1;
@@ -144,9 +144,9 @@ PINEDA_INLINE Vertices canonical(const Triangle& t, const Differences& d, int64_
   return {vertex(0), vertex(1), vertex(2)};
 }
 
-// E of each edge at (x, y) from the anchor, biased so that inside means >= 0: by 0 on a top or left
-// edge, by -1 on others. The first edge goes down, or along the top; the second one may go up, the
-// last one always does. At every point the three E add up to the doubled area.
+// E of each edge at (x, y), counted from the anchor, biased so that inside means >= 0: by 0 on a
+// top or left edge, by -1 on others. The first edge goes down, or along the top; the second one may
+// go up, the last one always does. At every point the three E add up to the doubled area.
 PINEDA_INLINE std::array<int64_t, 3> biased_edges(const Differences& d, int64_t area2, int64_t x,
                                                   int64_t y) {
   const int64_t e0 = d.x1 * y - d.y1 * x;
@@ -154,8 +154,8 @@ PINEDA_INLINE std::array<int64_t, 3> biased_edges(const Differences& d, int64_t 
   return {e0 - int64_t{d.y1 > 0}, area2 - e0 - e2 - int64_t{d.y2 >= d.y1}, e2};
 }
 
-// In steps of whole pixels. The bias comes before the shift: the other way round leaves holes on
-// shared edges.
+// Edge functions in steps of whole pixels. The bias is added before the shift: added after it there
+// would be holes on shared edges.
 PINEDA_INLINE void write_edges(const Differences& d, const std::array<int64_t, 3>& biased,
                                int subpixel_bits, std::array<spec::EdgeFunction, 3>* edge) {
   (*edge)[0] = {-d.y1, d.x1, biased[0] >> subpixel_bits};
@@ -174,7 +174,7 @@ PINEDA_INLINE void write_edges(const Differences& d, const std::array<int64_t, 3
   }
 }
 
-// What the samples get their values from; x, y: the first sample from the anchor.
+// Sets up planes, weights and flat values. x, y: the first sample, counted from the anchor.
 PINEDA_INLINE void set_up_values(const Contract& c, const FrameState& frame, const Triangle& t,
                                  const Vertices& v, const Differences& d, int64_t area2, int64_t x,
                                  int64_t y, Planes planes, spec::PlaneSet* set) {

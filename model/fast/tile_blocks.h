@@ -1,4 +1,4 @@
-// What the loops over the blocks of a tile share; not for others.
+// What the loops over the blocks of a tile share; internal.
 #pragma once
 
 #include "model/fast/lanes.h"
@@ -8,12 +8,12 @@ namespace pineda::fast {
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
 
-/// The bits of two rows of a block, a lane each.
+/// The bits of two rows of a block, one bit for each lane.
 inline constexpr Uint32x16 kPairBits = {1,       2,       4,       8,      1 << 4,  1 << 5,
                                         1 << 6,  1 << 7,  1 << 8,  1 << 9, 1 << 10, 1 << 11,
                                         1 << 12, 1 << 13, 1 << 14, 1 << 15};
 
-/// From planes at the top of lanes of Int to codes: the one rounding and the clamp.
+/// Turns plane values at the top of lanes of Int into codes: one rounding and the clamp.
 template <class Int>
 struct Coder {
   int shift;
@@ -24,7 +24,7 @@ struct Coder {
         half(Int{1} << (shift - 1)),
         top(static_cast<Int>((uint64_t{1} << f.code_bits) - 1)) {}
 
-  // A plane has more whole bits than a code: half a code more than its greatest value does not
+  // A plane has more integer bits than a code, so adding half a code to its greatest value cannot
   // wrap an unsigned number.
   template <class Signed, class Unsigned>
   PINEDA_INLINE void operator()(Unsigned* v) const {

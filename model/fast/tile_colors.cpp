@@ -18,7 +18,7 @@ struct RowsOf {
 
 // ---- Colours of four channels: a sample is 64 bits, a row of a block a cache line.
 
-// Where a block's samples passed, eight words of all ones or zeros a row.
+// Writes a row's words where its samples passed: eight words of all ones, or zeros.
 PINEDA_INLINE void merge_row(const Uint64x8& words, const Uint64x8& passed, uint16_t* color) {
   Uint64x8 stored;
   std::memcpy(&stored, color, sizeof stored);
@@ -60,20 +60,21 @@ PINEDA_KERNEL(void, write_constant,
 
 constexpr Uint32x16 kSampleNumbers = {0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7};
 
-// A value of each of four planes, 0 and 2 before 1 and 3: of `ref` 2, `dx` 0, `dy` 1.
+// One member of each of four planes, in the order 0, 2, 1, 3: 0 for `dx`, 1 for `dy`, 2 for `ref`.
 static_assert(sizeof(Plane) == 3 * sizeof(int64_t) && offsetof(Plane, dx) == 0 &&
               offsetof(Plane, dy) == sizeof(int64_t));
 template <int Member>
 PINEDA_INLINE void gather(const Plane* planes, Uint64x4* values) {
-  Uint64x8 front, back;  // of the twelve numbers
+  Uint64x8 front, back;  // the first and the last eight of twelve numbers
   std::memcpy(&front, planes, sizeof front);
   std::memcpy(&back, reinterpret_cast<const char*>(planes) + 4 * sizeof(int64_t), sizeof back);
   constexpr int k = Member;
   *values = __builtin_shufflevector(front, back, k, 8 + 2 + k, 3 + k, 8 + 5 + k);
 }
 
-// Four planes inside a tile, of 32 bits at most: lanes 2*i and 2*i + 1 are attributes 0 and 2 of
-// sample i, or 1 and 3, so that two such vectors make the words of a row of a block.
+// Four planes inside a tile, of 32 bits at most. Lanes 2*i and 2*i + 1 of an even vector are
+// attributes 0 and 2 of sample i, of an odd vector 1 and 3: combined they are a row of a block as
+// it is stored.
 struct FourPlanes {
   Uint32x16 even, odd;  // in the tile's first row
   Uint32x16 even_dx, odd_dx;
@@ -138,7 +139,7 @@ uint32_t row_of(uint64_t block, int row) {
   return static_cast<uint32_t>(block >> (kBlockPx * row) & 0xff);
 }
 
-// The colours of a row of samples, where they passed.
+// Writes the colours of a row's samples that passed.
 PINEDA_INLINE void write_row(const Design& d, const Coder<uint64_t>& coder, const TilePlane* planes,
                              const int32_t* flat, int x, int y, uint32_t passed, uint16_t* color) {
   const auto attributes = static_cast<size_t>(d.attributes);

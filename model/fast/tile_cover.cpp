@@ -11,7 +11,7 @@ using spec::Design;
 
 namespace {
 
-// What a kernel is compiled for once more, where it is known.
+// The sizes of tiles and stamps: kernels have a version each for the common ones.
 struct Shape {
   int tile_log2;
   int w_log2, h_log2;  // of a stamp
@@ -22,17 +22,17 @@ constexpr Shape shape_of(const Design& d) {
   return {d.tile_log2, d.stamp_width_log2, d.stamp_height_log2};
 }
 
-// What is once a byte, in each byte.
+// Repeats a byte in all eight bytes.
 constexpr uint64_t in_each_byte(uint64_t byte) { return byte * 0x0101010101010101u; }
 
-// Columns x0 to x1 of rows y0 to y1 of a block.
+// The bits of columns x0 to x1 in rows y0 to y1 of a block.
 PINEDA_INLINE uint64_t box_of(int x0, int y0, int x1, int y1) {
   const uint64_t columns = in_each_byte((0xffu << x0) & (0xffu >> (7 - x1)));
   return columns & (~uint64_t{0} << (8 * y0)) & (~uint64_t{0} >> (8 * (7 - y1)));
 }
 
-// The samples of the block at x, y that no edge excludes. A lane is a row of the left or of the
-// right half; the columns of a half come one by one, from its right.
+// The samples of the block at x, y that are inside all edges. A lane is a row of the left or the
+// right half; the loop takes the columns of both halves from right to left.
 template <class Vector, class Value>
 PINEDA_INLINE uint64_t cover_block(const spec::SetupPrim& prim, const EdgeValues& e, int x, int y) {
   typedef uint8_t Bytes __attribute__((vector_size(16)));
@@ -61,7 +61,8 @@ PINEDA_INLINE uint64_t cover_block(const spec::SetupPrim& prim, const EdgeValues
   return ~(half[1] | half[0] << kHalf);
 }
 
-// Calls visit(block, x, y, samples) for the blocks in the box of `cover`, with those in the box.
+// Calls visit(block, x, y, samples) for the blocks in the box of `cover`; `samples`: those in the
+// box.
 template <class Visitor>
 PINEDA_INLINE void for_each_block(int tile_log2, const TileCover& cover, Visitor&& visit) {
   if (tile_log2 <= ceil_log2(kBlockPx)) {
@@ -77,7 +78,7 @@ PINEDA_INLINE void for_each_block(int tile_log2, const TileCover& cover, Visitor
   }
 }
 
-// The stamps of a block that have a sample, as the bits of their first samples.
+// The stamps of a block that have a covered sample, each marked at the bit of its first sample.
 PINEDA_INLINE uint64_t stamps_of(const Shape& shape, uint64_t block) {
   if (shape.w_log2 >= 1) block |= block >> 1;
   if (shape.w_log2 >= 2) block |= block >> 2;
@@ -88,10 +89,10 @@ PINEDA_INLINE uint64_t stamps_of(const Shape& shape, uint64_t block) {
   return block & kColumns[shape.w_log2] & kRows[shape.h_log2];
 }
 
-// Adds those of the block at x, y to samples->stamps.
+// Adds the stamps of the block at x, y to samples->stamps.
 PINEDA_INLINE void place_stamps(const Shape& shape, int x, int y, uint64_t stamps,
                                 TileSamples* samples) {
-  // A row to the lower end of its byte.
+  // Packs a row's stamps into the low end of its byte.
   if (shape.w_log2 == 1) {
     stamps = (stamps | stamps >> 1) & in_each_byte(0x33);
     stamps = (stamps | stamps >> 2) & in_each_byte(0x0f);
@@ -101,7 +102,8 @@ PINEDA_INLINE void place_stamps(const Shape& shape, int x, int y, uint64_t stamp
   const int columns_log2 = shape.tile_log2 - shape.w_log2;
   const int rows = std::min(kBlockPx, 1 << shape.tile_log2) >> shape.h_log2;
   const int place = ((y >> shape.h_log2) << columns_log2) + (x >> shape.w_log2);
-  // Those of a block in a tile of its size make up one word, of larger tiles several.
+  // A tile of one block has its stamps in one word; a block of a larger tile fills parts of
+  // several.
   uint64_t bits = 0;
   for (int row = 0; row < rows; ++row) {
     const int at = place + (row << columns_log2);
@@ -117,7 +119,7 @@ PINEDA_INLINE uint64_t ones(uint64_t bits) {
   return static_cast<uint64_t>(__builtin_popcountll(bits));
 }
 
-// Stamps of 2x2, all of a block at once: in digits of four bits each.
+// Counts stamps of 2x2 by their samples, all of a block at once, in digits of four bits.
 PINEDA_INLINE void count_quads(uint64_t block, StampsBySamples* by_samples) {
   constexpr uint64_t kPairs = in_each_byte(0x33), kDigits = in_each_byte(0x11);
   constexpr uint64_t kEvenRows = 0x00ff00ff00ff00ff;
@@ -194,7 +196,7 @@ PINEDA_INLINE void cover_blocks(const Shape& shape, const spec::SetupPrim& prim,
   find_first_and_last(shape, &samples);
 }
 
-// Calls work(shape), with constants for the shapes that most designs have.
+// Calls work(shape); for the shapes of most designs with compile-time constants.
 template <class Work>
 PINEDA_INLINE void with_shape(const Design& d, Work&& work) {
   constexpr Shape kQuads{3, 1, 1}, kLarge{3, 2, 2};
@@ -226,7 +228,7 @@ PINEDA_KERNEL(void, find_in_tile, (const Design& d, const TileCover& box, TileSa
   with_shape(d, [&](const Shape& shape) PINEDA_INLINED { find_in_blocks(shape, box, samples); });
 }
 
-// Every sample of the tile.
+// Sets every sample of the tile.
 void fill(const Design& d, TileSamples* samples) {
   const int last = std::min(kBlockPx, 1 << d.tile_log2) - 1;
   std::fill(samples->blocks.begin(), samples->blocks.end(), box_of(0, 0, last, last));
@@ -262,7 +264,7 @@ void find_stamps(const Design& d, const TileCover& box, TileSamples* samples) {
   find_in_tile(d, box, samples);
 }
 
-// Edge by edge, and each by name: three are too few for a loop to pay.
+// Each edge is written out: for three a loop does not pay.
 void TileCoverWalk::begin(const spec::SetupPrim& prim) {
   prim_ = &prim;
   const int log2 = contract_.design.tile_log2;
@@ -271,7 +273,7 @@ void TileCoverWalk::begin(const spec::SetupPrim& prim) {
   last_x_ = prim.x1 >> log2;
   last_y_ = prim.y1 >> log2;
   const auto begin = [log2](const spec::EdgeFunction& edge, Edge* e) PINEDA_INLINED {
-    // From the first sample of a tile to the last one.
+    // What E changes by from the first sample of a tile to the last one.
     const int64_t a = edge.a * ((int64_t{1} << log2) - 1);
     const int64_t b = edge.b * ((int64_t{1} << log2) - 1);
     e->best = std::max<int64_t>(a, 0) + std::max<int64_t>(b, 0);
@@ -302,7 +304,7 @@ PINEDA_INLINE void TileCoverWalk::keep(TileCover* cover) {
   box.rows = (y1 >> d.stamp_height_log2) - box.row0 + 1;
   const auto& [e0, e1, e2] = edges_;
   cover->accepted = ((e0.at + e0.worst) | (e1.at + e1.worst) | (e2.at + e2.worst)) >= 0;
-  // An edge that accepts the tile still does when it is 0 at its worst sample.
+  // Where an edge accepts the tile, E is lowered to 0 at its worst sample: the edge still accepts.
   kept_[0] = std::min(e0.at, -e0.worst);
   kept_[1] = std::min(e1.at, -e1.worst);
   kept_[2] = std::min(e2.at, -e2.worst);
@@ -347,7 +349,8 @@ bool TileCoverWalk::next_kept(TileCover* cover, int* rejected) {
   return false;
 }
 
-// On to the next tile in the row that is not rejected, or to the next row; returns how many tiles.
+// Goes on to the next tile in the row that is not rejected, or to the next row; returns how many
+// tiles it passed.
 int TileCoverWalk::skip_rejected() {
   const int64_t tile = int64_t{1} << contract_.design.tile_log2;
   auto& [e0, e1, e2] = edges_;
@@ -382,8 +385,8 @@ void TileCoverWalk::cover_stamps(TileCover* cover, StampsBySamples* by_samples) 
     return;
   }
   cover->full = false;
-  // |E'| <= (T-1)(|a|+|b|) in a tile that is kept, once those that accept it are brought down, and
-  // |a|, |b| < 2^coord; the lanes may be wider than the tile.
+  // |E'| <= (T-1)(|a|+|b|) in a kept tile, since keep() lowers E' of edges that accept it, and |a|,
+  // |b| < 2^coord. Lanes cover a whole block, which may be larger than the tile.
   const int side_log2 = std::max(d.tile_log2, ceil_log2(kBlockPx));
   if (2 + side_log2 + contract_.width.coord <= 32) {
     cover_narrow(d, *prim_, kept_, cover, by_samples);

@@ -9,7 +9,7 @@ namespace pineda::fast {
 
 inline constexpr int kBlockPx = 8;  // side of the blocks of samples that are computed together
 
-/// Blocks side by side in a tile; one that is larger than the tile counts.
+/// Blocks along a tile's side; 1 if the tile is smaller than a block.
 constexpr int blocks_across(const spec::Design& d) {
   return d.tile_log2 <= 3 ? 1 : 1 << (d.tile_log2 - 3);
 }
@@ -35,15 +35,15 @@ void for_each_bit(const uint64_t* words, size_t count, Visitor&& visit) {
   }
 }
 
-/// Some samples of a tile, and the stamps that have one. Stamps go by their place: their number in
+/// Some samples of a tile, and the stamps that have one of them. A stamp's place is its number in
 /// the whole tile, row by row.
 struct TileSamples {
   std::vector<uint64_t> blocks;  // row by row; bit 8*y + x is the block's sample in column x, row y
-  std::vector<uint64_t> stamps;  // a bit each: it has one of the samples
+  std::vector<uint64_t> stamps;  // one bit for each: it has one of the samples
 
-  int count = 0;         // stamps that have one
-  int sample_count = 0;  // of all of them
-  int first = 0;         // places of the first and the last of them
+  int count = 0;         // stamps that have a sample
+  int sample_count = 0;  // samples of all stamps
+  int first = 0;         // places of the first and the last stamp that has one
   int last = 0;
 
   explicit TileSamples(const spec::Design& design);
@@ -107,7 +107,7 @@ struct TileCover {
 /// Finds the stamps from the blocks in the box.
 void find_stamps(const spec::Design& design, const TileCover& box, TileSamples* samples);
 
-/// Samples of a stamp, up to 16. (A call of its own would cost more than it counts.)
+/// Samples of a stamp, up to 16. (Inline, since a call would cost more than the count.)
 inline int count_lanes(uint32_t mask) {
   mask -= mask >> 1 & 0x5555;
   mask = (mask & 0x3333) + (mask >> 2 & 0x3333);
@@ -123,23 +123,23 @@ using EdgeValues = std::array<int64_t, 3>;
 ///
 /// Bits     those of core::TileWalk and core::StampWalk.
 /// In       begin(): a SetupPrim, which must outlive the walk; its planes are not looked at.
-/// Out      next(): one tile test a call; *cover is written when the tile is kept, but for its
-///          samples, which cover_stamps() then finds.
+/// Out      next(): one tile test a call; *cover is written when the tile is kept, except for its
+///          samples, which cover_stamps() finds.
 class TileCoverWalk {
  public:
   explicit TileCoverWalk(const spec::Contract& contract) : contract_(contract) {}
 
   void begin(const spec::SetupPrim& prim);
   core::TileWalk::Test next(TileCover* cover);
-  /// As next() until a tile is kept, false if none is any more; *rejected: those before.
+  /// Calls next() until a tile is kept; false if there is none left. *rejected: tiles before it.
   bool next_kept(TileCover* cover, int* rejected);
-  /// Of the tile that next() kept last; adds its stamps to *by_samples, if that is there.
+  /// Finds the samples of the tile kept last; adds its stamps to *by_samples unless that is null.
   void cover_stamps(TileCover* cover, StampsBySamples* by_samples) const;
 
  private:
   struct Edge {
-    int64_t at = 0, at_row = 0;   // E' at the first sample of the tile, of its row
-    int64_t best = 0, worst = 0;  // from there to those corners
+    int64_t at = 0, at_row = 0;   // E' at the first sample of the tile, of its row of tiles
+    int64_t best = 0, worst = 0;  // what E' changes by to the best and the worst corner
   };
   bool is_rejected() const;
   int skip_rejected();
@@ -152,7 +152,7 @@ class TileCoverWalk {
   int x_ = 0, y_ = 0;  // the tile that next() tests
   int first_x_ = 0, last_x_ = 0, last_y_ = 0;
   std::array<Edge, 3> edges_{};
-  EdgeValues kept_{};  // of the tile kept last; at most what makes the edge accept the tile
+  EdgeValues kept_{};  // E' of the tile kept last, lowered where the edge accepts the tile
 };
 
 }  // namespace pineda::fast

@@ -10,7 +10,7 @@ namespace {
 constexpr Uint32x16 kPairColumns = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
 constexpr Uint32x16 kPairRows = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
 
-// As Coder, with a bias, which has fraction bits of its own.
+// Like Coder, with a bias added, which has fraction bits of its own.
 struct BiasedCoder {
   int head, up, shift;
   int64_t add, top;
@@ -30,19 +30,19 @@ struct BiasedCoder {
   }
 };
 
-// The top of 64 bits.
+// The top bits of 64, as many as Int has.
 template <class Int>
 PINEDA_INLINE Int top_of(uint64_t value) {
   return static_cast<Int>(value >> (64 - 8 * sizeof(Int)));
 }
 
-// A plane in a block, modulo the range of Int.
+// A plane's values in a block, two rows at a time, modulo the range of Int.
 template <class Int, class Lanes>
 struct DepthRows {
   Lanes first;
   Int dx, dy;
 
-  // In the block x px from the tile's corner, y below it.
+  // For the block x px to the right of the tile's corner and y px below it.
   PINEDA_INLINE DepthRows(const TilePlane& plane, int x, int y)
       : dx(top_of<Int>(plane.dx)), dy(top_of<Int>(plane.dy)) {
     const Int corner = top_of<Int>(plane.ref) + static_cast<Int>(x) * dx + static_cast<Int>(y) * dy;
@@ -70,16 +70,16 @@ struct DepthRows {
   }
 };
 
-// The outcomes that pass, as all ones or zeros.
+// Masks of all ones or zeros for the outcomes that pass.
 struct Passes {
-  uint32_t equal, less, greater;  // the latter where they differ from `equal`
+  uint32_t equal, less, greater;  // less, greater: do they differ from `equal`?
   explicit Passes(const core::PassesWhen& when)
       : equal(when.equal ? UINT32_MAX : 0),
         less(when.less != when.equal ? UINT32_MAX : 0),
         greater(when.greater != when.equal ? UINT32_MAX : 0) {}
 };
 
-// Gathers pairs of rows, each lane all ones or zeros, to the 64 bits of a block.
+// Collects the results of pairs of rows, lanes of all ones or zeros, into the 64 bits of a block.
 class PairBits {
  public:
   PINEDA_INLINE void add(int pair, const Uint32x16& lanes) {
@@ -174,7 +174,7 @@ PINEDA_KERNEL(Outcome, test_biased,
 }  // namespace
 
 TilePlane plane_in_tile(const spec::Plane& plane, const Format& format, const TileOffset& tile) {
-  // Modulo 2^64, so that references far away wrap as steps to them do.
+  // Modulo 2^64: a reference far away wraps just as steps to it would.
   const int head = 64 - format.plane_bits;
   const uint64_t half = (uint64_t{1} << format.dropped_bits) >> 1;
   const auto kept = [&](uint64_t value) { return (value + half) >> format.dropped_bits << head; };

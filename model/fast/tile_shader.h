@@ -41,8 +41,8 @@ class TileShader {
   // Of the triangle, and of the tile drawn last.
   DepthTest depth_;
   TileColors colors_;
-  const TileSamples* all_ = nullptr;  // the cover's, if all of them passed
-  TileSamples tested_;                // else
+  const TileSamples* all_ = nullptr;  // the cover's samples if all passed, else null
+  TileSamples tested_;                // what passed if not all did
   StampCounts counts_;
   // Perspective
   spec::Stamp stamp_;

@@ -6,12 +6,12 @@
 
 namespace pineda::fast {
 
-/// A plane in a tile, modulo 2^bits at the top of 64: sums wrap by themselves.
+/// A plane in a tile. Its bits are the top ones of 64, so that sums wrap by themselves.
 struct TilePlane {
   uint64_t ref = 0, dx = 0, dy = 0;
 };
 
-/// The bits of a plane in a tile and of its codes, and the fraction bits that it loses there.
+/// The bits of a plane in a tile and of its codes, and how many fraction bits a tile drops.
 struct Format {
   int plane_bits;
   int fraction_bits;
@@ -41,7 +41,7 @@ struct Outcome {
   uint64_t failed = 0;
 };
 
-/// Tests the covered samples of a tile and writes those that pass, which *samples gets.
+/// Tests the covered samples of a tile and writes those that pass; returns them in *samples.
 Outcome test_tile(const DepthTest& test, const TileCover& cover, TiledBuffer* buffer,
                   TileSamples* samples);
 

@@ -53,7 +53,7 @@ void TiledBuffer::count_hits(const spec::Contract& c, const spec::Stamp& stamp) 
   });
 }
 
-// Whole blocks: to find out which rows are needed takes longer than to ask for them.
+// Asks for whole blocks: to find out which rows are needed would take longer.
 void TiledBuffer::prefetch(const TileCover& cover, bool with_color) const {
   constexpr size_t kDepthLine = kLineBytes / sizeof(uint32_t);
   constexpr size_t kColorLine = kLineBytes / sizeof(uint16_t);

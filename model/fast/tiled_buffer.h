@@ -27,9 +27,9 @@ struct CacheLineAllocator {
 
 inline constexpr size_t kBlockSamples = size_t{kBlockPx} * kBlockPx;
 
-/// The order of samples in memories by blocks, row by row in a block: the blocks of a tile side by
-/// side, tiles row by row. The tiles at the frame's border are whole, and so is the block of tiles
-/// that are smaller than one.
+/// The order of samples in the memories: row by row in a block, the blocks of a tile together,
+/// tiles row by row. Tiles at the frame's border are stored whole, and so is a block where tiles
+/// are smaller than one.
 struct Tiled {
   template <class T>
   using Samples = std::vector<T, CacheLineAllocator<T>>;
@@ -97,7 +97,7 @@ struct TiledBuffer : Tiled {
   void write(const spec::Contract& contract, const spec::ColorWrite& write);
   void count_hits(const spec::Contract& contract, const spec::Stamp& stamp);
 
-  /// Asks the caches for the blocks in the box of `cover`, ahead of a draw.
+  /// Prefetches the blocks in the box of `cover`, ahead of a draw.
   void prefetch(const TileCover& cover, bool with_color) const;
   /// Copies the samples of rows of tiles, first to last, as far as the frame goes, to a
   /// buffer of this frame.

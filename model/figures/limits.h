@@ -1,5 +1,5 @@
-// Figures at limits: of the guard band, of tiles, of what setup divides by, and planes that are
-// whole numbers. A figure is positions alone, on the lattice.
+// Figures at limits: at the borders of the guard band and of tiles, thin triangles, and planes with
+// integer coefficients. A figure is only positions on the subpixel grid.
 #pragma once
 
 #include <vector>
@@ -15,29 +15,30 @@ constexpr Quad guard_band(const Lattice& lattice) {
   return {{{low, low}, {high, low}, {high, high}, {low, high}}};
 }
 
-/// Three corners of a quad one after the other.
+/// Three consecutive corners of a quad.
 constexpr Corners three_of(const Quad& quad, size_t first) {
   return {{quad[first % 4], quad[(first + 1) % 4], quad[(first + 2) % 4]}};
 }
 
-/// Points on the border of the guard band all the way round, `on_a_side` on each side, moved on by
-/// up to `jitter` each.
+/// Points around the border of the guard band, `on_a_side` on each side, each moved along the
+/// border by up to `jitter`.
 std::vector<Point> guard_band_ring(Pen& pen, int on_a_side, int64_t jitter);
 
-/// A triangle whose first edge runs through `q`, `along` to either side.
+/// A triangle whose first edge runs from q + along to q - along.
 constexpr Corners through(Point q, Point along, Point far) { return {{q + along, q - along, far}}; }
 
-/// Coordinates that are the format's extremes or lie next to zero. Bit 0 of `quadrant` unset turns
-/// the sign of x, bit 1 that of y, inside the guard band: -1 - least is the greatest.
+/// A point whose coordinates are extremes of the format or lie next to zero. Where bit 0 of
+/// `quadrant` is clear x is mirrored, x -> -1 - x, which stays inside the guard band; bit 1
+/// likewise for y.
 Point extreme_corner(Pen& pen, int quadrant);
 
-/// A coordinate on the border before tile `n`, or half a pixel to either side.
+/// A coordinate on the border before tile `n`, or half a pixel before or after it.
 int64_t tile_border(Pen& pen, int64_t n);
 
-/// Long and thin, roughly along an axis: no term may grow as the area shrinks.
+/// A long thin triangle, roughly along an axis: its small area must not increase any error.
 struct Needle {
   int64_t length;  // along the axis
-  int64_t across;  // what the other end lies beside it
+  int64_t across;  // offset of the far end across the axis
   int64_t width;   // across the axis, at the start
   bool is_steep;   // the axis is y
 
@@ -47,12 +48,13 @@ struct Needle {
   }
 };
 
-/// A right angle at `corner`, both legs of one length, to the right and down.
+/// A triangle with a right angle at `corner` and legs of equal length, to the right and down.
 constexpr Corners right_angle(Point corner, int64_t leg) {
   return {{corner, corner + Point{leg, 0}, corner + Point{0, leg}}};
 }
 
-/// value = at_0 + x*dx + y*dy exactly: triangles on one plane are equal to the last bit.
+/// value = at_0 + x*dx + y*dy, exact in integers: all triangles on this plane must give the same
+/// values, bit for bit.
 struct WholePlane {
   int64_t at_0;
   int64_t dx;

@@ -1,4 +1,4 @@
-// What figures are drawn with: points in subpixels, and random ones among them.
+// Points on the subpixel grid, and a generator of random ones, for building figures.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace pineda::figures {
 
-/// Subpixels.
+/// A point or vector in subpixels.
 struct Point {
   int64_t x = 0;
   int64_t y = 0;
@@ -18,16 +18,16 @@ struct Point {
 constexpr Point operator+(Point p, Point q) { return {p.x + q.x, p.y + q.y}; }
 constexpr Point operator-(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
 constexpr Point operator*(int64_t k, Point p) { return {k * p.x, k * p.y}; }
-/// Towards zero.
+/// Rounds towards zero.
 constexpr Point operator/(Point p, int64_t k) { return {p.x / k, p.y / k}; }
 constexpr bool operator==(Point p, Point q) { return p.x == q.x && p.y == q.y; }
 
-/// Those of a triangle.
+/// The corners of a triangle.
 using Corners = std::array<Point, 3>;
-/// Those of a quad, all the way round.
+/// The corners of a quad, in order around it.
 using Quad = std::array<Point, 4>;
 
-/// The lattice that the points of a design lie on; all lengths in subpixels.
+/// The subpixel grid of a design; all lengths in subpixels.
 class Lattice {
  public:
   explicit constexpr Lattice(const spec::Design& design)
@@ -52,23 +52,23 @@ class Lattice {
   int64_t greatest_;
 };
 
-/// Draws random points, x first; none lies outside the guard band.
+/// Draws random points, x before y, clamped to the guard band.
 class Pen : public Lattice {
  public:
   Pen(const spec::Design& design, uint64_t seed) : Lattice(design), random_(seed) {}
 
   spec::Random& random() { return random_; }
 
-  /// Of a box, its borders included.
+  /// A point in a box, borders included.
   Point in_box(Point low, Point high) {
     const int64_t x = random_.between(low.x, high.x);
     return kept({x, random_.between(low.y, high.y)});
   }
-  /// Of a square around a point.
+  /// A point in the square of half side `reach` around p.
   Point near(Point p, int64_t reach) {
     return in_box(p - Point{reach, reach}, p + Point{reach, reach});
   }
-  /// A sample of a box of pixels.
+  /// The sample of a pixel in a box of pixels.
   Point center_in_box(Point low_px, Point high_px) {
     const int64_t i = random_.between(low_px.x, high_px.x);
     return center(i, random_.between(low_px.y, high_px.y));

@@ -12,12 +12,13 @@ namespace {
 
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
-std::atomic<pid_t> owner{0};  // the process that removes; 0: none
+// The process that removes files on a signal; 0: none. Forked processes must not.
+std::atomic<pid_t> owner{0};
 std::atomic<int> held{0};
 std::atomic<int> noted{0};
 std::atomic_flag busy = ATOMIC_FLAG_INIT;
 
-/// The newest first. Never destroyed: a signal may come while the program ends.
+/// The unfinished paths, newest first. Never destroyed: a signal may come during program exit.
 std::list<std::string>& paths() {
   static auto* const all = new std::list<std::string>;
   return *all;
@@ -34,7 +35,8 @@ void lock() {
   while (busy.test_and_set(std::memory_order_acquire)) sched_yield();
 }
 
-/// The paths are changed with signals blocked: a handler never waits for the thread it interrupts.
+/// Holds the lock with signals blocked, so that a handler never waits for a lock that the thread it
+/// interrupted holds.
 class Locked {
  public:
   Locked() {
@@ -53,7 +55,7 @@ class Locked {
   sigset_t before_;
 };
 
-/// The lock is kept: nothing new begins.
+/// Removes all paths and never releases the lock, so that no new path can be added.
 void remove_all() {
   lock();
   for (const std::string& path : paths()) {
@@ -61,7 +63,8 @@ void remove_all() {
   }
 }
 
-/// Lets this one signal through: the handler of another would wait for the lock that is kept.
+/// Ends the program by the signal's default action. Only this signal is unblocked: the handler of
+/// another one would wait for the lock that remove_all() keeps.
 void end_by(int signal) {
   struct sigaction plain {};
   plain.sa_handler = SIG_DFL;
@@ -73,7 +76,7 @@ void end_by(int signal) {
   pthread_sigmask(SIG_UNBLOCK, &only, nullptr);
 }
 
-/// Calls nothing that a handler may not.
+/// The signal handler; all that it calls is async-signal-safe.
 void on_signal(int signal) {
   const int before = errno;
   if (getpid() != owner) {

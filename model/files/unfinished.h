@@ -1,4 +1,4 @@
-// What is not whole yet: a signal that ends the program takes it along.
+// Unfinished files: they are removed if a signal ends the program.
 #pragma once
 
 #include <list>
@@ -6,13 +6,13 @@
 
 namespace pineda::files {
 
-/// From here on SIGINT, SIGTERM and SIGHUP remove what is unfinished. The program still ends by the
-/// signal. One that is ignored (as under nohup) stays ignored, and forked processes remove nothing.
+/// From now on SIGINT, SIGTERM and SIGHUP remove all unfinished files before they end the program.
+/// A signal that is ignored (as under nohup) stays ignored, and forked processes remove nothing.
 void remove_unfinished_on_signals();
 
-/// A path that is removed if a signal ends the program while this lives: a file, or a folder if it
-/// is empty; later ones first. It begins before there is anything at the path, so nothing is
-/// missed.
+/// A path that is removed if a signal ends the program while this object lives: a file, or an empty
+/// folder. The newest path is removed first. Make the object before the file, so that there is no
+/// moment in which a signal leaves the file behind.
 class Unfinished {
  public:
   explicit Unfinished(const std::string& path);
@@ -24,8 +24,8 @@ class Unfinished {
   std::list<std::string>::const_iterator place_;
 };
 
-/// While this lives signals are only noted: for work that takes more to put away than removing a
-/// file. At its end the program ends too, if one came.
+/// While an object of this class lives, signals are only recorded: for work that needs more
+/// cleaning up than removing files. Its destructor ends the program if a signal came.
 class HeldSignals {
  public:
   HeldSignals();

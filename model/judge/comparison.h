@@ -1,4 +1,4 @@
-// The one comparison: drawn samples with the exact ones, value by value with the bounds that apply.
+// Compares drawn samples with the exact ones: coverage, and each value against its error bound.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace pineda::judge {
 
-/// What a sample turns out to be: one of the triangle's, none of its, or one that was drawn before.
+/// Whether a drawn sample is right: covered by the triangle, not covered, or drawn a second time.
 enum class Found { kRight, kExtra, kTwice };
 
 /// Which samples of a triangle have been drawn.
 ///
-/// In       memory: a byte a sample of the triangle.
+/// In       memory: one byte for each sample of the triangle.
 class Seen {
  public:
   void begin(const Truth& truth);
@@ -34,46 +34,46 @@ class Seen {
   std::vector<uint8_t> seen_;
 };
 
-/// Where something differs first.
+/// The first place where something differs.
 struct Difference {
   int x = 0, y = 0;       // px
   uint32_t triangle = 0;  // its number
   std::string what;
 };
 
-/// Drawn samples before exact arithmetic.
+/// The result of comparing drawn samples with the exact ones.
 struct Verdict {
   uint64_t samples = 0;      // drawn
-  uint64_t missing = 0;      // exact covers, they do not
-  uint64_t extra = 0;        // they cover, exact does not; a second time counts too
-  uint64_t beyond = 0;       // right ones with a value beyond the bounds
-  double max_depth_ulp = 0;  // of right ones
+  uint64_t missing = 0;      // covered but not drawn
+  uint64_t extra = 0;        // drawn but not covered, or drawn a second time
+  uint64_t beyond = 0;       // covered and drawn, with a value beyond its bound
+  double max_depth_ulp = 0;  // greatest error of samples covered and drawn
   double max_color_lsb = 0;
-  std::optional<Difference> first;  // in the order in which they come, missing ones last
+  std::optional<Difference> first;  // in drawing order, missing samples after all others
 
   bool holds() const { return missing == 0 && extra == 0 && beyond == 0; }
 };
 
-/// The bounds of one triangle's depths and interpolated attributes: the design's, that of depth
-/// with what a bias adds to it; a flat attribute must be right. `depth_slope` as ScreenTruth has
-/// it.
+/// The error bounds of one triangle's depths and interpolated attributes: those of the design, plus
+/// what a depth bias adds to that of depth. With flat shading attributes must be exact.
+/// `depth_slope`: see ScreenTruth::depth_slope().
 spec::ErrorBounds triangle_bounds(const spec::Design& design, const spec::FrameState& frame,
                                   double depth_slope);
 
-/// A value of a sample: depth, or the attribute of this number.
+/// The number of depth among a sample's values; attributes have the numbers from 0 on.
 inline constexpr int kDepth = -1;
-/// The first value beyond its bounds; nothing if all keep them.
+/// The number of the first value beyond its bound; nothing if there is none.
 std::optional<int> first_beyond(const Values& values, const spec::ErrorBounds& bounds,
                                 const Errors& errors);
 /// "depth at (3, 4) is -0.7 codes off"
 std::string text_of(int value, const Errors& errors, const Drawn& drawn);
 
-/// Compares one triangle after another and adds what it finds to a verdict.
+/// Compares one triangle after another and adds the results to a verdict.
 class Comparison {
  public:
   Comparison(const Values& values, Verdict* to) : values_(values), to_(*to) {}
 
-  /// `truth` is looked at until end().
+  /// `truth` must live until end().
   void begin(const Truth& truth, const spec::ErrorBounds& bounds, uint32_t triangle);
   Found sample(const Drawn& drawn);
   void end();
@@ -91,15 +91,15 @@ class Comparison {
   Seen seen_;
 };
 
-/// The same for samples that come by rows of tiles, from the floats of a scene on: in memory for
-/// the exact samples of one row of tiles. A sample of a row of tiles that has gone by is one too
-/// many.
+/// The same against a ScreenJudge, for samples that come by rows of tiles: it holds the exact
+/// samples of one row of tiles only. A sample of a row of tiles that is already done counts as
+/// extra.
 class TileRowComparison {
  public:
   TileRowComparison(const Values& values, int tile_log2, Verdict* to)
       : tile_log2_(tile_log2), truth_(values.perspective), comparison_(values, to) {}
 
-  /// `judge` is looked at until end().
+  /// `judge` must live until end().
   void begin(const exact::ScreenJudge& judge, const spec::ErrorBounds& bounds, uint32_t triangle);
   void sample(const Drawn& drawn);
   void end();
@@ -113,7 +113,7 @@ class TileRowComparison {
   const exact::ScreenJudge* judge_ = nullptr;
   spec::ErrorBounds bounds_{};
   uint32_t triangle_ = 0;
-  exact::Span rows_;  // the triangle's that are judged, or gone by
+  exact::Span rows_;  // rows of the current row of tiles
 };
 
 template <class Visit>

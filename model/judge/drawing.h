@@ -1,4 +1,4 @@
-// Every sample that core draws of a triangle, hidden ones included, for whoever judges it.
+// Every sample of a triangle as core draws it, before any depth test.
 #pragma once
 
 #include "model/core/frame.h"
@@ -6,8 +6,8 @@
 
 namespace pineda::judge {
 
-/// Calls visit(Stamp, Fragment) for each stamp of a triangle, or of what lies in some rows of
-/// tiles, in the order of traversal. No memories, no depth test.
+/// Calls visit(Stamp, Fragment) for each stamp of a triangle within some rows of tiles, in
+/// traversal order. No memories, no depth test.
 template <class Visit>
 void for_each_fragment(const spec::Contract& contract, const spec::FrameState& frame,
                        core::TileRows rows, const spec::Triangle& triangle, Visit&& visit) {
@@ -23,7 +23,7 @@ void for_each_fragment(const spec::Contract& contract, const spec::FrameState& f
   core::draw_triangle(contract, frame, rows, triangle, &counters, Sink{visit});
 }
 
-/// The same, sample by sample: visit(Drawn).
+/// Calls visit(Drawn) for each sample of the whole triangle.
 template <class Visit>
 void for_each_sample(const spec::Contract& contract, const spec::FrameState& frame,
                      const spec::Triangle& triangle, Visit&& visit) {

@@ -1,4 +1,4 @@
-// A sample as it is drawn, and how far its values are from the exact ones.
+// A drawn sample, and the errors of its values against the exact ones.
 #pragma once
 
 #include <array>
@@ -7,18 +7,18 @@
 
 namespace pineda::judge {
 
-/// A sample as something draws it.
+/// A sample as a rasterizer draws it.
 struct Drawn {
   int x = 0, y = 0;         // px
   int64_t z = 0;            // depth code
   spec::Attributes attr{};  // the interpolated ones first, then the flat ones
 };
 
-/// The values that a sample has, and what is true of them.
+/// Which values a sample has, and how they are interpolated.
 struct Values {
   bool depth = true;
   int smooth = 4;            // attributes that are interpolated
-  int channels = 4;          // all: behind the interpolated ones those of the first vertex
+  int channels = 4;          // all attributes: interpolated, then flat ones of the first vertex
   bool perspective = false;  // interpolated with perspective, else affinely
 };
 inline Values values_of(const spec::Design& d) {
@@ -27,11 +27,11 @@ inline Values values_of(const spec::Design& d) {
 
 /// A value minus the exact one.
 struct Error {
-  double units = 0;            // of the last place
+  double units = 0;            // in units of the last place
   bool is_misrounded = false;  // not the nearest code
 };
 
-/// Those of a sample; of values that it does not have, 0.
+/// The errors of a sample's values; 0 for values that it does not have.
 struct Errors {
   Error depth;
   std::array<Error, spec::kMaxAttributes> attr{};
@@ -49,7 +49,7 @@ void for_each_lane(const spec::Design& d, const spec::Stamp& stamp, Visit&& visi
   }
 }
 
-/// Calls visit(Drawn) for each of them.
+/// Calls visit(Drawn) for each covered sample of a stamp.
 template <class Visit>
 void for_each_sample(const spec::Design& d, const spec::Stamp& stamp,
                      const spec::Fragment& fragment, Visit&& visit) {

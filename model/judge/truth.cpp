@@ -6,7 +6,7 @@
 namespace pineda::judge {
 namespace {
 
-/// Halves round up, so that the nearest code is off by more than -1/2 and by 1/2 at most.
+/// Halves round up, so the error of the nearest code lies in (-1/2, 1/2].
 Error error_of(double units) { return {units, !(units > -.5 && units <= .5)}; }
 
 }  // namespace
@@ -33,7 +33,7 @@ const exact::Sample* ScreenTruth::find(int x, int y) const {
 }
 
 exact::Value ScreenTruth::attribute(const exact::Sample& sample, size_t i, bool perspective) const {
-  if (i >= sample.affine.size()) return {};  // behind the colour all are 0
+  if (i >= sample.affine.size()) return {};  // attributes after r, g, b, a are 0
   return perspective && !affine_ ? sample.perspective[i] : sample.affine[i];
 }
 

@@ -1,4 +1,4 @@
-// What exact arithmetic says of one triangle, sample by sample.
+// The exact samples of one triangle, and the errors of drawn samples against them.
 #pragma once
 
 #include <vector>
@@ -8,16 +8,16 @@
 
 namespace pineda::judge {
 
-/// One triangle's samples and how far drawn ones are from them.
+/// The exact coverage of one triangle and the errors of drawn samples.
 class Truth {
  public:
   virtual ~Truth() = default;
 
-  /// Rows that may hold samples of it; empty when first > last.
+  /// Rows that may have covered samples; empty when first > last.
   virtual exact::Span rows() const = 0;
-  /// The samples of a row.
+  /// The covered samples of a row.
   virtual exact::Span span(int y) const = 0;
-  /// Of a sample that it has.
+  /// The errors of a drawn sample, which must be covered.
   virtual Errors errors(const Values& values, const Drawn& drawn) const = 0;
 
  protected:
@@ -26,15 +26,15 @@ class Truth {
   Truth& operator=(const Truth&) = default;
 };
 
-/// The triangle as a scene states it, from its floats on; all exact values at once, so that many
-/// may be compared with them.
+/// The truth of a triangle as the scene states it, in floats. Computes all exact values once, so
+/// that several rasterizers can be compared with them.
 class ScreenTruth final : public Truth {
  public:
-  /// Perspective takes its time: without it there are affine values alone.
+  /// Without perspective only affine values are computed, which is faster.
   explicit ScreenTruth(bool with_perspective = true) : with_perspective_(with_perspective) {}
 
   void judge(const exact::ScreenJudge& judge) { this->judge(judge, judge.rows()); }
-  /// Some of the triangle's rows; the others are as if they had no samples.
+  /// Judges some rows of the triangle; the others are treated as empty.
   void judge(const exact::ScreenJudge& judge, exact::Span rows);
 
   exact::Span rows() const override { return rows_; }
@@ -44,9 +44,9 @@ class ScreenTruth final : public Truth {
   const std::vector<exact::Sample>& samples() const { return samples_; }
   /// nullptr where the triangle does not cover pixel (x, y).
   const exact::Sample* find(int x, int y) const;
-  /// The snapped attributes of the first vertex: what flat attributes are everywhere.
+  /// The snapped attributes of the first vertex: the values of flat attributes.
   const spec::Attributes& flat() const { return flat_; }
-  /// The exact value of an attribute, interpolated as a design does.
+  /// The exact value of attribute i, interpolated with or without perspective.
   exact::Value attribute(const exact::Sample& sample, size_t i, bool perspective) const;
   /// max(|dz/dx|, |dz/dy|) in codes a px.
   double depth_slope() const { return depth_slope_; }
@@ -67,11 +67,11 @@ class ScreenTruth final : public Truth {
   std::vector<exact::Sample> samples_;
 };
 
-/// The triangle as a design takes it, snapped; each value when it is asked for.
+/// The truth of a snapped triangle, as a design takes it. Computes a value when asked for it.
 ///
-/// Bits     with perspective a value's weights are exact integers times 1/w as the vertices have
-///          it, summed in long doubles. Whether a depth bias is right is not judged: it is taken
-///          as given, in codes, and depth may stop at either end of its range for it.
+/// Bits     with perspective the weights are exact integers times the vertices' rounded 1/w, summed
+///          in long doubles. The depth bias itself is not judged: it is given, in codes, and depths
+///          that it carries beyond an end of the range are accepted when they are clamped there.
 class SnappedTruth final : public Truth {
  public:
   SnappedTruth(const spec::Design& design, const spec::FrameState& frame,

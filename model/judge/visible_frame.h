@@ -1,4 +1,4 @@
-// The frame that is left when a rasterizer has drawn its samples.
+// A frame buffer with a depth test, for the samples of any rasterizer.
 #pragma once
 
 #include <algorithm>
@@ -8,16 +8,16 @@
 
 namespace pineda::judge {
 
-/// Does a depth pass that lies so to the stored one: -1 below, 0 equal, 1 above?
+/// Does a new depth pass whose order to the stored one is -1 (less), 0 (equal) or 1 (greater)?
 bool passes(spec::DepthFunc func, int order);
 
-/// A frame's memories as a rasterizer leaves them that draws these samples.
+/// The depth and colour memories of a frame after the samples written so far.
 class VisibleFrame {
  public:
   VisibleFrame(const spec::Design& design, const spec::FrameState& frame);
 
   void clear();
-  /// With the depth test of the frame's state.
+  /// Writes a sample if it passes the depth test of the frame's state.
   void write(int x, int y, int64_t z, const std::array<int, 4>& rgba) {
     const int64_t stored = z_[at(x, y)];
     if (passes(z, stored)) overwrite(x, y, frame_.depth_write ? z : stored, rgba);

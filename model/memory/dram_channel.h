@@ -1,4 +1,4 @@
-// One channel of DRAM: banks with a row open, refresh, a bus.
+// Timing of one DRAM channel: banks with an open row each, refresh, and a shared data bus.
 #pragma once
 
 #include <cstdint>
@@ -28,15 +28,16 @@ struct DramParameters {
   int refresh_cycles = 64;             // tRFC
   bool merged = false;                 // depth and colour share a channel
 
-  // A cache for depth, one for colour. A line is a tile: the stamps of a triangle come tile by
-  // tile. Sets lie in a rectangle of tiles, so that neighbours do not evict one another.
+  // One cache for depth and one for colour. A line holds one tile, since a triangle's stamps come
+  // tile by tile. The set index is the low bits of the tile's column and row, so that neighbouring
+  // tiles fall into different sets.
   int set_columns_log2 = 2;
   int set_rows_log2 = 2;
-  int ways = 2;                // both ports of depth may wait for a fill in one set
+  int ways = 2;                // depth read and depth write may both wait for a fill in one set
   int hit_latency_cycles = 3;  // tags, data, a register
 };
 
-/// Empty if a memory can be so, else why not, in one line.
+/// Empty if the parameters are valid, else the reason why not, in one line.
 std::string invalid_reason(const DramParameters& parameters);
 
 struct ChannelCounters {
@@ -47,19 +48,19 @@ struct ChannelCounters {
   Cycle busy = 0;          // cycles with data on the bus
 };
 
-/// Serves bursts in the order in which they are asked for.
+/// Serves bursts in the order of the requests.
 ///
-/// A burst is ordered while the data of the one before are on the bus, not earlier, so that row
-/// hits follow one another without a gap. Another row of a bank opens when the bank's last burst is
-/// over. Refresh is due every interval, a pure function of time: nothing is ordered for
-/// refresh_cycles then, and all rows are closed; what was ordered before is finished.
+/// The command of a burst is issued as soon as the data of the previous burst start on the bus, not
+/// earlier, so that row hits follow one another without a gap. A bank opens another row only when
+/// its last burst is over. A refresh starts at every multiple of the interval: it closes all rows,
+/// and no command is issued for refresh_cycles. Bursts issued before it finish.
 class DramChannel {
  public:
   explicit DramChannel(const DramParameters& parameters) : parameters_(parameters) { reset(); }
 
   void reset();
-  /// A burst of `cycles` on the bus from or to a row, asked for in `arrival`; rows are numbered
-  /// bank by bank. Returns the first cycle in which all of it is there.
+  /// Transfers a burst of `cycles` bus cycles from or to a row, requested in cycle `arrival`. Row r
+  /// lies in bank r % banks. Returns the first cycle after the burst's last one on the bus.
   Cycle serve(Cycle arrival, int64_t row, int cycles);
   const ChannelCounters& counters() const { return counters_; }
 
@@ -67,16 +68,16 @@ class DramChannel {
   static constexpr int64_t kClosed = -1;
   struct Bank {
     int64_t row = kClosed;
-    Cycle idle = 0;     // its last burst is over
-    int64_t epoch = 0;  // refreshes before the row was opened
+    Cycle idle = 0;     // its last burst is over from this cycle on
+    int64_t epoch = 0;  // number of refreshes before its last burst
   };
   Cycle after_refresh(Cycle cycle) const;
   int open(Bank* bank, int64_t row);
 
   DramParameters parameters_;
   std::vector<Bank> banks_;
-  Cycle order_free_ = 0;  // the next burst can be ordered
-  Cycle bus_free_ = 0;
+  Cycle order_free_ = 0;  // the next command can be issued from this cycle on
+  Cycle bus_free_ = 0;    // the bus is free from this cycle on
   ChannelCounters counters_;
 };
 

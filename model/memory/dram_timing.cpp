@@ -45,7 +45,8 @@ void DramTiming::begin_frame(const spec::FrameState& frame) {
     g->counters = {};
   }
   free_ = {};
-  // Colour lies behind depth, half the banks away: depth and colour of a tile are used together.
+  // Colour lies behind depth in memory, shifted by half the banks: depth and colour of a tile are
+  // used together and should not share a bank.
   const int used = divide_up(columns_ * rows, depth_.tiles_in_row);
   color_.first_row = divide_up(used, banks_) * banks_ + banks_ / 2;
 }

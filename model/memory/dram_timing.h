@@ -1,4 +1,4 @@
-// Depth and colour in DRAM behind small caches of tiles.
+// Timing of depth and colour memories in DRAM, behind small caches whose lines are tiles.
 #pragma once
 
 #include <algorithm>
@@ -16,19 +16,19 @@ struct CacheCounters {
   uint64_t write_backs = 0;
 };
 
-/// A cache for depth and one for colour, write-back, each on a channel of its own or both on one.
+/// Two write-back caches, one for depth and one for colour, each with its own DRAM channel or both
+/// on one.
 ///
-/// An access is served in the cycle in which its line is there: that of its acceptance, or that in
-/// which a fill is done. Its port takes the next one in the cycle after; a read is answered
-/// hit_latency_cycles after it is served. So hits go one a cycle, and a miss blocks its own port
-/// alone. A miss asks for its line in the cycle after its acceptance; what it evicts, if dirty, is
-/// written back behind the fill. The clear at the start of a frame takes no time; lines still dirty
-/// at its end are not written back.
+/// A hit is served in the cycle of its acceptance, a miss when its fill is done. The port accepts
+/// its next request in the cycle after that; a read is answered hit_latency_cycles after it is
+/// served. So a port takes one hit a cycle, and a miss blocks only its own port. A miss requests
+/// its line in the cycle after its acceptance; a dirty victim is written back after the fill. The
+/// clear at the start of a frame takes no time; lines still dirty at its end are not written back.
 /// Errors   parameters with an invalid_reason(): std::invalid_argument.
 class DramTiming final : public MemoryTiming {
  public:
   DramTiming(const spec::Contract& contract, const DramParameters& parameters);
-  DramTiming(const DramTiming&) = delete;  // the caches know their channels
+  DramTiming(const DramTiming&) = delete;  // the caches point to the channels
   DramTiming& operator=(const DramTiming&) = delete;
 
   void begin_frame(const spec::FrameState& frame) override;
@@ -39,25 +39,26 @@ class DramTiming final : public MemoryTiming {
 
   const CacheCounters& depth_cache() const { return depth_.counters; }
   const CacheCounters& color_cache() const { return color_.counters; }
-  /// The same one when merged.
+  /// Both are the same channel when merged.
   const ChannelCounters& depth_channel() const { return depth_.channel->counters(); }
   const ChannelCounters& color_channel() const { return color_.channel->counters(); }
 
  private:
-  /// A cache and where its tiles lie in DRAM: row by row of the frame, a DRAM row after the other.
+  /// A cache and where its tiles lie in DRAM: in raster order of the tiles, in consecutive DRAM
+  /// rows.
   struct Group {
     TileCache cache;
     DramChannel* channel;
-    int burst_cycles;   // of a tile
-    int tiles_in_row;   // of the DRAM
-    int64_t first_row;  // of the DRAM
+    int burst_cycles;   // bus cycles of one tile
+    int tiles_in_row;   // tiles in one DRAM row
+    int64_t first_row;  // DRAM row of the first tile
     CacheCounters counters;
   };
   Group group(const DramParameters& parameters, int sample_bytes, DramChannel* channel) const;
   TileCache::Line* fill(Group* group, Cycle cycle, int column, int row);
   int64_t dram_row(const Group& group, int column, int row) const;
 
-  int tile_log2_, columns_log2_, rows_log2_;  // px of a tile; its stamps
+  int tile_log2_, columns_log2_, rows_log2_;  // a tile's size in px; in stamps
   int banks_;
   int hit_latency_cycles_;
   int columns_ = 0;  // tiles in a row of the frame
@@ -66,7 +67,8 @@ class DramTiming final : public MemoryTiming {
   std::array<Cycle, kMemoryPorts> free_{};  // the port takes a request from this cycle on
 };
 
-/// A channel for depth, one for colour; an ideal memory's latency is not theirs.
+/// One channel for depth and one for colour. `latency_cycles` is ignored: it is of the ideal
+/// memory.
 std::shared_ptr<MemoryTiming> make_dram(const spec::Contract& contract, int latency_cycles);
 /// One channel for both.
 std::shared_ptr<MemoryTiming> make_dram_merged(const spec::Contract& contract, int latency_cycles);

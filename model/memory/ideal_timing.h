@@ -9,7 +9,7 @@
 
 namespace pineda::memory {
 
-/// Always ready; a read accepted in t is answered in t + latency.
+/// Always ready; a read accepted in cycle t is answered in cycle t + latency.
 /// Errors   a latency outside 1 .. `longest`: std::invalid_argument.
 class IdealTiming final : public MemoryTiming {
  public:

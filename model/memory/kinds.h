@@ -1,5 +1,5 @@
-// The memories that can be named. A new one is a file beside ideal_timing.h with a function that
-// makes it, an enumerator, and a row of the table.
+// The memory models that a user can name. A new one needs a file like ideal_timing.h with a factory
+// function, an enumerator of Kind, and a row in kKindNames.
 #pragma once
 
 #include <memory>
@@ -16,9 +16,9 @@ enum class Kind { kIdeal, kDram, kDramMerged };
 struct KindName {
   Kind value;
   const char* word;
-  const char* meaning;  // what the word does not say
-  bool has_latency;     // that can be chosen
-  /// With its default parameters.
+  const char* meaning;  // explanation added to the word in messages, may be empty
+  bool has_latency;     // the caller chooses its latency
+  /// Makes the memory with its default parameters.
   std::shared_ptr<MemoryTiming> (*make)(const spec::Contract&, int latency_cycles);
 };
 inline constexpr KindName kKindNames[] = {
@@ -32,7 +32,7 @@ inline constexpr auto kKinds = spec::values_of<Kind>();
 /// "ideal, dram (behind caches) or dram_merged (depth and colour on one channel)".
 std::string kinds_text();
 
-/// A memory with its default parameters; the latency is of one that has_latency.
+/// A memory with its default parameters. `latency_cycles` only matters for a kind that has_latency.
 /// Errors   see IdealTiming.
 inline std::shared_ptr<MemoryTiming> make_timing(Kind kind, const spec::Contract& contract,
                                                  int latency_cycles) {

@@ -17,11 +17,11 @@ constexpr int color_bytes(const spec::Design& d) {
   return bytes > 0 ? bytes : 1;
 }
 
-/// Stamp after stamp, row by row of the frame; in a stamp its lanes. So a stamp is one contiguous
-/// burst, at
+/// Stamps lie in raster order, and the samples of a stamp by lane. So the stamp in column x, row y
+/// is one contiguous burst at
 ///   base + (y * columns + x) * stamp_bytes
-/// and a sample of it lies `lane * sample_bytes` further. Stamps that the frame's border cuts are
-/// whole here; what lies outside the frame is never read or written.
+/// and its lane l lies l * sample_bytes after that. Stamps cut by the frame's border still take
+/// their full size; their samples outside the frame are never read or written.
 struct FrameLayout {
   int columns = 0, rows = 0;  // of the frame, in stamps
   int sample_bytes = 0;
@@ -38,7 +38,7 @@ struct FrameLayout {
     return static_cast<uint64_t>(columns) * static_cast<uint64_t>(rows) *
            static_cast<uint64_t>(stamp_bytes);
   }
-  /// Of the stamp in column x, row y, from the base.
+  /// Byte offset from the base of the stamp in column x, row y.
   uint64_t offset(int x, int y) const {
     return (static_cast<uint64_t>(y) * static_cast<uint64_t>(columns) + static_cast<uint64_t>(x)) *
            static_cast<uint64_t>(stamp_bytes);

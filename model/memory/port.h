@@ -1,4 +1,4 @@
-// The memory ports, and the cycles in which they move.
+// The memory ports, and the type of a clock cycle's number.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,8 @@
 
 namespace pineda::memory {
 
-/// A cycle of the frame. Cycle 0 is the first clock edge after reset: the frame is taken.
+/// The number of a clock cycle in a frame. Cycle 0 is the first clock edge after reset, when the
+/// frame's state is sampled.
 using Cycle = int64_t;
 
 /// The memory ports, in the order in which they are served within a cycle.

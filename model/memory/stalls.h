@@ -1,5 +1,5 @@
-// Back-pressure and gaps at the ports: a pure function of (seed, port, cycle), the same for the RTL
-// and the model.
+// Random stalls at the ports: a pure function of (seed, port, cycle), so that the RTL and the model
+// see the same ones.
 #pragma once
 
 #include <cstdint>
@@ -30,19 +30,19 @@ inline constexpr auto kStallModes = spec::values_of<StallMode>();
 /// "NoStalls", "SourceStalled", "SinkStalled", "BothStalled".
 constexpr const char* stall_mode_name(StallMode mode) { return spec::row_of(mode).test_name; }
 
-/// Ports that can stall. The first ones feed the design, the others take from it.
+/// Ports that can stall. Those before kOutput feed the design, the others take from it.
 enum class Port : uint8_t {
-  kInput,  // of a unit on its own
+  kInput,  // input of a unit tested on its own
   kTriangle,
   kEnd,
-  kOutput,  // of a unit on its own
+  kOutput,  // output of a unit tested on its own
   kClear,
   kDepthRead,
   kDepthWrite,
   kColorWrite,
 };
 
-/// The same port among all that can stall.
+/// The Port of a memory port.
 constexpr Port stalling(MemoryPort port) {
   return static_cast<Port>(static_cast<int>(Port::kDepthRead) + static_cast<int>(port));
 }
@@ -52,10 +52,10 @@ class Stalls {
   Stalls() = default;
   Stalls(StallMode mode, uint64_t seed) : mode_(mode), seed_(seed) {}
 
-  /// Does anybody ever stall?
+  /// Does any port ever stall?
   bool any() const { return mode_ != StallMode::kNone; }
-  /// Does this port stand still in this cycle? Every 32 cycles a port draws how busy it is: never,
-  /// one cycle in four, in two, or seven in eight.
+  /// Does this port stall in this cycle? Every 32 cycles each port draws a new stall probability:
+  /// 0, 1/4, 1/2 or 7/8.
   bool operator()(Port port, Cycle cycle) const {
     const bool source = port < Port::kOutput;
     if (mode_ == StallMode::kNone || (mode_ == StallMode::kSource && !source) ||
@@ -69,7 +69,7 @@ class Stalls {
   }
 
  private:
-  // Random numbers that can be read in any order, of the port and the time.
+  // A random number of (seed, port, time): no state, so it can be asked for in any order.
   uint64_t hash(Port port, uint64_t time) const {
     return spec::SplitMix64::at(seed_, time + (static_cast<uint64_t>(port) << 56));
   }

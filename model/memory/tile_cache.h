@@ -13,10 +13,10 @@ namespace pineda::memory {
 class TileCache {
  public:
   struct Line {
-    int column = -1, row = -1;  // of the tile; none at first
+    int column = -1, row = -1;  // of the tile; -1: the line is empty
     bool dirty = false;
-    Cycle filled = 0;  // there from this cycle on
-    uint64_t used = 0;
+    Cycle filled = 0;   // its data are in the cache from this cycle on
+    uint64_t used = 0;  // time stamp of the last use, for LRU
   };
 
   explicit TileCache(const DramParameters& p)
@@ -29,7 +29,7 @@ class TileCache {
     uses_ = 0;
   }
 
-  /// The line that holds a tile, now the last one used; nullptr if none.
+  /// The line that holds a tile, marked as most recently used; nullptr on a miss.
   Line* find(int column, int row) {
     Line* const first = set(column, row);
     Line* const line = std::find_if(
@@ -39,8 +39,8 @@ class TileCache {
     return line;
   }
 
-  /// The line that a tile is to replace: the least recently used one of its set that is not being
-  /// filled itself. It is the last one used now.
+  /// The line to evict for a tile: the least recently used one of its set, lines still being filled
+  /// last. Marked as most recently used.
   Line* victim(Cycle cycle, int column, int row) {
     Line* const first = set(column, row);
     Line* const line = std::min_element(first, first + ways_, [&](const Line& a, const Line& b) {

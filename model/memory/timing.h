@@ -1,5 +1,5 @@
-// When a memory takes requests, and when it answers reads: the same object serves the Verilated RTL
-// and the SystemC model.
+// When a memory accepts requests and when it answers reads. The same object serves the Verilated
+// RTL and the SystemC model.
 #pragma once
 
 #include "model/memory/port.h"
@@ -7,29 +7,29 @@
 
 namespace pineda::memory {
 
-/// The time of the depth and colour memories of a frame; what they hold is not its business.
+/// Timing of a frame's depth and colour memories; the data are stored elsewhere.
 ///
-/// Calls come in the order of their cycles; in one cycle depth read, depth write, colour write. A
-/// request is accepted in a cycle in which ready_from() says so, at most one a port in a cycle.
-/// A write accepted in t is seen by a read accepted from t + 1 on. Responses of reads come in
-/// order, in strictly growing cycles.
+/// Calls come in the order of their cycles; within a cycle depth read first, then depth write, then
+/// colour write. A port accepts at most one request a cycle, and only where ready_from() allows it.
+/// A write accepted in cycle t is seen by reads accepted from t + 1 on. Read responses come in
+/// order, at most one a cycle.
 class MemoryTiming {
  public:
   virtual ~MemoryTiming() = default;
 
-  /// As after a reset, for a frame of this size whose memories are cleared. Cycles start at 0.
+  /// Resets the timing for a frame of this size with cleared memories. Cycles start at 0.
   virtual void begin_frame(const spec::FrameState& frame) = 0;
 
-  /// The first cycle >= `from` in which the port takes a request, given all that was accepted
-  /// before `from`; whether a port is ready does not depend on what it is asked.
+  /// The first cycle >= `from` in which the port accepts a request, given all requests accepted
+  /// before `from`. It does not depend on the address of the request.
   virtual Cycle ready_from(MemoryPort port, Cycle from) = 0;
 
-  /// A request on the stamp in column x, row y is accepted in `cycle`. For a read, the cycle of its
-  /// response, later than `cycle`; for a write the cycle in which it would be answered.
+  /// Accepts in `cycle` a request on the stamp in column x, row y. Returns the cycle of a read's
+  /// response, later than `cycle`; for a write, the cycle in which a read would be answered.
   virtual Cycle accept(MemoryPort port, Cycle cycle, int x, int y) = 0;
 
-  /// Cycles from a read's acceptance to its response if they are always the same and every port is
-  /// always ready, so that the order of requests at different ports does not matter; else 0.
+  /// The latency of reads if it is constant and all ports are always ready, so that the order of
+  /// requests at different ports does not matter; else 0.
   virtual Cycle fixed_latency() const { return 0; }
 };
 

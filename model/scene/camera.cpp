@@ -8,9 +8,9 @@
 namespace pineda::scene {
 namespace {
 
-constexpr double kFilled = .92;         // of the frame, by the mesh
-constexpr double kTangent = .3;         // of half the vertical angle: 33.4 degrees
-constexpr double kGreatestRatio = 1e4;  // far : near
+constexpr double kFilled = .92;         // part of the frame that framing_view() fills with the mesh
+constexpr double kTangent = .3;         // tangent of half the vertical angle: 33.4 degrees in all
+constexpr double kGreatestRatio = 1e4;  // far / near
 
 void look_along(const Vec3& back, const Vec3& up, View* view) {
   view->back = normalized(back);
@@ -31,8 +31,9 @@ void for_each_used(const Mesh& mesh, Visit&& visit) {
   }
 }
 
-// Bounds of u + k*back and -u + k*back over the mesh: they say how close the eye may come so that
-// the mesh stays inside the half-angle of tangent k, and where its middle then lies.
+// Bounds of u + k*back and -u + k*back over the mesh, where u is the coordinate along the right or
+// up axis. They give the least distance of the eye from which the mesh lies within the half-angle
+// of tangent k, and the eye's u that centres it.
 struct Wedge {
   double k;
   double low = -std::numeric_limits<double>::infinity();
@@ -54,7 +55,7 @@ void set_planes(const Mesh& mesh, View* view) {
     nearest = std::min(nearest, w);
     farthest = std::max(farthest, w);
   });
-  // With nothing in front of the eye every triangle is clipped away, whatever the planes.
+  // With nothing in front of the eye any planes will do: every triangle is clipped away.
   view->far = farthest > 0 ? 1.001 * farthest : 1;
   view->near = std::max(.999 * nearest, view->far / kGreatestRatio);
   if (!(view->near < view->far)) view->near = view->far / kGreatestRatio;
@@ -88,7 +89,8 @@ View framing_view(const Mesh& mesh, int width, int height) {
     rear = std::min(rear, back);
   });
   if (front < rear) return view;  // nothing that could be drawn
-  // A mesh without width needs some distance too; one without any size takes it from where it is.
+  // The eye must lie in front of the mesh even if width and height are 0. The gap is relative to
+  // the mesh's depth, or to its coordinates if the depth is 0.
   const double depth = front - rear;
   const double gap = depth > 0 ? .1 * depth : 1 + 1e-6 * std::abs(front);
   const double distance = std::max({horizontal.distance(), vertical.distance(), front + gap});

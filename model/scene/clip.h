@@ -8,32 +8,32 @@
 
 namespace pineda::scene {
 
-/// A vertex in clip space with its straight colour, 0 to 255.
+/// A vertex in clip space with its colour, 0 to 255, not premultiplied.
 struct ClipVertex {
   std::array<double, 4> position{};
   std::array<double, 4> rgba{};
 };
 
-/// A triangle cut by six planes has at most nine corners in exact arithmetic. Rounding may see a
-/// straight side cross a plane more than once; each plane adds half of the corners at the most.
+/// A triangle cut by six planes has at most nine corners in exact arithmetic. With rounding errors
+/// a side may seem to cross a plane several times; each plane adds at most half as many corners as
+/// there are.
 struct Polygon {
   static constexpr size_t kMost = 28;  // 3, 4, 6, 9, 13, 19, 28
   std::array<ClipVertex, kMost> v;
   size_t size = 0;
 };
 
-/// Which planes of depth cut.
+/// Which depth planes clip.
 struct DepthPlanes {
   bool low = true;    // 0 <= z
   bool high = false;  // z <= w
 };
 
-/// The volume that vertices must lie in: between the planes of depth that cut, inside the guard
-/// band. The frame's borders are not clipped against: the rasterizer's box does that.
+/// The volume that triangles are clipped to: the guard band and the active depth planes. There is
+/// no clipping at the frame's borders, since setup clips the bounding box.
 ///
-/// Bits     the guard band reaches from -2^guard_bits px to the last multiple of a subpixel below
-///          2^guard_bits, all that a coordinate can state: a frame as large as the band loses
-///          nothing.
+/// Bits     the guard band reaches from -2^guard_bits px to 2^guard_bits px minus one subpixel, the
+///          full range of a coordinate, so that even a frame as large as the band is complete.
 class ClipVolume {
  public:
   static constexpr size_t kPlanes = 6;
@@ -43,7 +43,7 @@ class ClipVolume {
   /// Bit i: the vertex lies outside plane i.
   unsigned outside(const ClipVertex& vertex) const;
 
-  /// Clips a triangle; an empty polygon when nothing is left.
+  /// Clips a triangle; the polygon has fewer than three corners when nothing is left.
   ///
   /// Bits     a cut always runs from the inside vertex to the outside one, so that the two
   ///          triangles at an edge get the same new vertex, bit for bit, though they walk the edge

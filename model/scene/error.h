@@ -1,4 +1,4 @@
-// Bad input: one clear line.
+// The exception for bad input, with a one-line message.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace pineda::scene {
 
-/// The input is not what its format promises: "FILE:LINE: expected ..., got ...", one line.
-/// The same class reports a file that cannot be written.
+/// Input that does not follow its format, in one line: "FILE:LINE: expected ..., got ...". Also
+/// reports a file that cannot be written.
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& file, const std::string& what)

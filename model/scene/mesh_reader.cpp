@@ -10,10 +10,11 @@
 namespace pineda::scene {
 namespace {
 
-constexpr std::array<double, 4> kClay = {232, 190, 140, 255};  // a mesh without colours
+constexpr std::array<double, 4> kClay = {232, 190, 140, 255};  // colour of a mesh that has none
 constexpr double kAmbient = .2;
 
-// Diffuse light from the upper left behind the eye, so that a form shows from wherever it is seen.
+// Diffuse light from behind the eye, from the upper left: it moves with the camera, so that shapes
+// are visible from every side.
 double light(const Vec3& normal, const View& view) {
   const Vec3 lamp = normalized(-.45 * view.right + .55 * view.up + .7 * view.back);
   return kAmbient + (1 - kAmbient) * std::max(0.0, dot(normal, lamp));
@@ -30,13 +31,13 @@ std::array<double, 4> shaded(const Mesh& mesh, size_t i, const View& view) {
 
 uint8_t to_byte(double channel) { return static_cast<uint8_t>(std::lround(channel)); }
 
-// The last binary32 number that does not lie behind `limit`.
+// The greatest binary32 number <= limit, for a limit > 0.
 float floor_float(double limit) {
   const auto nearest = static_cast<float>(limit);
   return static_cast<double>(nearest) <= limit ? nearest : std::nextafter(nearest, 0.f);
 }
 
-// Does the triangle turn counter-clockwise on the screen, as far as it lies in front of the eye?
+// Is the part of the triangle in front of the eye counter-clockwise on the screen?
 bool is_counter_clockwise(const std::array<ClipVertex, 3>& corner) {
   const auto point = [&](size_t i) {
     const auto& p = corner[i].position;
@@ -45,15 +46,14 @@ bool is_counter_clockwise(const std::array<ClipVertex, 3>& corner) {
   return dot(point(0), cross(point(1), point(2))) > 0;
 }
 
-// Finite, and so are the distances from the planes of a ClipVolume.
+// Coordinates so far from overflow that the distances from the clip planes are finite too.
 bool can_be_cut(const std::array<double, 4>& position) {
   return std::all_of(position.begin(), position.end(),
                      [](double value) { return std::abs(value) < 1e300; });
 }
 
-// How far an affine mean of some colours can lie from the perspective-correct one: a fraction of
-// the colours' range. Of two corners whose w's have the ratio r, and of more with none greater, the
-// means lie up to (sqrt(r) - 1) / (sqrt(r) + 1) of it apart.
+// The greatest difference between affine and perspective-correct colours in a triangle: for w's of
+// a ratio of at most r it is (sqrt(r) - 1) / (sqrt(r) + 1) of the range of the corners' colours.
 double affine_error(const std::array<const ClipVertex*, 3>& corner, size_t channels) {
   const auto [near, far] =
       std::minmax({corner[0]->position[3], corner[1]->position[3], corner[2]->position[3]});
@@ -112,7 +112,7 @@ void MeshReader::rewind() {
   piece_ = 0;
 }
 
-// The next triangle of which something is left.
+// Reads and clips triangles until something is left of one. False at the end.
 bool MeshReader::next_polygon(Counters* counters) {
   piece_ = 0;
   while (next_ < mesh_->triangle.size()) {
@@ -146,13 +146,13 @@ bool MeshReader::next_polygon(Counters* counters) {
   return false;
 }
 
-// The pieces of what a cut leaves.
+// Cuts the clipped polygon into pieces.
 void MeshReader::snap_and_partition(bool counter_clockwise) {
-  Counters none;  // counted again where the pieces are snapped
+  Counters none;  // not counted here, but when the pieces are snapped
   std::vector<GridPoint> points;
   for (size_t i = 0; i < polygon_.size; ++i) {
     const ScreenVertex v = project(polygon_.v[i]);
-    if (std::isnan(v.x) || std::isnan(v.y)) {  // dropped where it is snapped
+    if (std::isnan(v.x) || std::isnan(v.y)) {  // one piece, which snapping will drop
       pieces_.assign(1, {static_cast<uint8_t>(i), 0, 1});
       return;
     }
@@ -168,7 +168,7 @@ ScreenVertex MeshReader::project(const ClipVertex& vertex) const {
   v.x = static_cast<float>((p[0] / p[3] + 1) * (width_ / 2.0));
   v.y = static_cast<float>((1 - p[1] / p[3]) * (height_ / 2.0));
   v.z = static_cast<float>(p[2] / p[3]);
-  // A cut may end a rounding beyond its plane.
+  // A cut may lie beyond its clip plane by a rounding error.
   v.x = std::clamp(v.x, low_, high_);
   v.y = std::clamp(v.y, low_, high_);
   v.z = std::clamp(v.z, 0.f, 1.f);
@@ -183,8 +183,9 @@ void MeshReader::set_w(const std::array<const ClipVertex*, 3>& corners,
   const double least = std::min({w(0), w(1), w(2)});
   constexpr double kLow = std::numeric_limits<float>::min();
   constexpr double kHigh = std::numeric_limits<float>::max();
-  // Only the ratios of the w's matter, so a power of two brings them into the range of floats. One
-  // that stays below it is 2^126 times nearer than another: the nearest float is as good.
+  // Only the ratios of the w's matter, so all are scaled by a power of two into the range of
+  // floats. A w that is still too small is 2^126 times smaller than another, so the smallest normal
+  // float is as good.
   int exponent = 0;
   if (least < kLow || greatest > kHigh) std::frexp(greatest, &exponent);
   for (size_t i = 0; i < 3; ++i) {
@@ -195,7 +196,7 @@ void MeshReader::set_w(const std::array<const ClipVertex*, 3>& corners,
 void MeshReader::note_affine_error(double lsb, Counters* counters) {
   if (lsb < 1) return;
   counters->affine_lsb = std::max(counters->affine_lsb, lsb);
-  // Pieces of a triangle count once.
+  // Count a triangle once, not each of its pieces.
   if (std::exchange(noted_, next_) != next_) ++counters->affine_colors;
 }
 

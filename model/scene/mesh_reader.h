@@ -11,12 +11,12 @@
 
 namespace pineda::scene {
 
-/// A mesh as a camera sees it, before clipping.
+/// A mesh in the clip space of a view, shaded, before clipping.
 struct ClipMesh {
   std::vector<ClipVertex> vertex;
   std::vector<std::array<uint32_t, 3>> triangle;
-  std::vector<bool> drawable;       // a triangle: its coordinates are finite, below 1e300
-  std::vector<uint32_t> provoking;  // as these stand in Mesh
+  std::vector<bool> drawable;       // for each triangle: its coordinates are finite, below 1e300
+  std::vector<uint32_t> provoking;  // this and the next two as in Mesh
   std::vector<MeshPolygon> polygon;
   std::vector<uint32_t> corner;
   DepthPlanes depth;
@@ -28,13 +28,13 @@ struct ClipMesh {
 
 ClipMesh clip_mesh(Mesh mesh, const View& view);
 
-/// Bits     in doubles, then one rounding to the binary32 of a ScreenVertex: the same triangles
-///          saved as .ptrb give the same picture. Colours are cut with the triangle and rounded to
-///          the nearest at the end. Channels that are flat (all of them under flat shading, else
-///          those that the design does not interpolate) are the provoking vertex's everywhere.
-/// Out      a cut triangle in pieces, all with its number, of one orientation once they are snapped
-///          for the design: see partition(). w = clip-space w.
-/// Drops    triangles with a NaN or an Inf, and those of which clipping leaves nothing: counted.
+/// Bits     in doubles, then rounded once to the binary32 of a ScreenVertex, so that the triangles
+///          saved as .ptrb give the same picture. Colours are interpolated at cuts and rounded to
+///          the nearest at the end. Flat channels (all with flat shading, else those that the
+///          design does not interpolate) have the provoking vertex's value at all vertices.
+/// Out      a clipped triangle comes in pieces that share its number and, snapped for the design,
+///          its orientation: see partition(). w = clip-space w.
+/// Drops    triangles with a NaN or an Inf, and those that clipping removes entirely: counted.
 class MeshReader final : public ScreenReader {
  public:
   MeshReader(std::shared_ptr<const ClipMesh> mesh, const spec::FrameState& frame,
@@ -56,12 +56,12 @@ class MeshReader final : public ScreenReader {
   std::shared_ptr<const ClipMesh> mesh_;
   int width_, height_;
   spec::Contract contract_;
-  size_t smooth_;     // channels from here on are flat
-  float low_, high_;  // px, the first and last position that the guard band has
+  size_t smooth_;     // number of interpolated channels; those after them are flat
+  float low_, high_;  // px, the least and greatest position in the guard band
   ClipVolume volume_;
-  size_t next_ = 0;   // the triangle that next_polygon() takes
-  size_t noted_ = 0;  // next_ of the last triangle that was counted for its colours
-  Polygon polygon_;   // what is left of the one before, and its pieces
+  size_t next_ = 0;   // the next triangle that next_polygon() reads
+  size_t noted_ = 0;  // next_ when a triangle was last counted in affine_colors
+  Polygon polygon_;   // triangle next_ - 1 after clipping, and its pieces
   std::vector<Piece> pieces_;
   size_t piece_ = 0;
 };

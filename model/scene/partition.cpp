@@ -10,7 +10,7 @@ namespace {
 
 using Indices = std::vector<uint8_t>;
 
-// Twice the area of a triangle; its sign is the way that it turns.
+// Twice the signed area of a triangle.
 int64_t turn(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
   return int64_t{b[0] - a[0]} * (c[1] - a[1]) - int64_t{b[1] - a[1]} * (c[0] - a[0]);
 }
@@ -21,7 +21,8 @@ int64_t doubled_area(const std::vector<GridPoint>& p) {
   return area;
 }
 
-// Do the fan's triangles all turn one way, and less than once around the first point?
+// Do the triangles of the fan from the first point have one orientation, and go less than once
+// around it?
 bool is_fan(const std::vector<GridPoint>& p) {
   const int64_t way = doubled_area(p) < 0 ? -1 : 1;
   size_t first = 1;
@@ -34,7 +35,7 @@ bool is_fan(const std::vector<GridPoint>& p) {
     if (from_first < 0) past_half = true;
     if (from_first > 0 && past_half) return false;
     if (from_first == 0 && i > first && p[i] != p[0]) {
-      // On the line of the first one: straight on, or behind.
+      // On the line through p[0] and p[first]: in the same direction, or opposite.
       const int64_t along = int64_t{p[i][0] - p[0][0]} * (p[first][0] - p[0][0]) +
                             int64_t{p[i][1] - p[0][1]} * (p[first][1] - p[0][1]);
       if (along < 0 || past_half) return false;
@@ -49,7 +50,8 @@ void fan(const Indices& corner, std::vector<Piece>* pieces) {
   }
 }
 
-// Clockwise where y points down, without points on its sides, by Andrew's monotone chains.
+// The convex hull, clockwise where y points down, without points on its sides; by Andrew's monotone
+// chains.
 Indices hull(const std::vector<GridPoint>& p) {
   Indices order(p.size());
   std::iota(order.begin(), order.end(), uint8_t{0});
@@ -64,7 +66,7 @@ Indices hull(const std::vector<GridPoint>& p) {
   for (const uint8_t i : order) add(i, 1);
   const size_t lower = chain.size();
   for (size_t k = order.size() - 1; k-- > 0;) add(order[k], lower);
-  chain.pop_back();  // the first one again
+  chain.pop_back();  // the first point again
   return chain;
 }
 

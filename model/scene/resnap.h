@@ -1,4 +1,4 @@
-// A scene that is open, snapped once more for another design.
+// Re-reads an open scene without snapping, so that it can be snapped for another design.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,9 @@
 
 namespace pineda::scene {
 
-/// The triangles that a source reads, as they were before it snapped them. What the source dropped
-/// or clipped stays so; snapping is counted anew.
+/// Reads the screen triangles of a source as they were before it snapped them. Triangles that the
+/// source dropped or clipped stay dropped or clipped. Counters of snapping are not copied, since
+/// snapping again will count.
 class Unsnapped final : public ScreenReader {
  public:
   explicit Unsnapped(SnappedSource* source) : source_(source) {}
@@ -27,7 +28,7 @@ class Unsnapped final : public ScreenReader {
       counters->*member += after.*member - before.*member;
     }
     counters->affine_lsb = std::max(counters->affine_lsb, after.affine_lsb);
-    counters->rounded_slope = after.rounded_slope;  // of the state, so known from the start
+    counters->rounded_slope = after.rounded_slope;  // set when the scene was opened
     return is_one;
   }
   void rewind() override { source_->rewind(); }

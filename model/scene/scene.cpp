@@ -21,8 +21,8 @@
 namespace pineda::scene {
 namespace {
 
-constexpr std::string_view kHard = "hard/";      // before the name of a hard case
-constexpr std::string_view kRandom = "random/";  // before that of a random scene
+constexpr std::string_view kHard = "hard/";      // prefix of a hard case's name
+constexpr std::string_view kRandom = "random/";  // prefix of a random scene's name
 constexpr int kDefaultTessellation = 10;
 constexpr int kGreatestTessellation = 256;  // 4.2 million triangles
 
@@ -101,7 +101,7 @@ Scene open_ptrb(const spec::Contract& contract, const std::string& path, const O
   std::shared_ptr<std::istream> stream;
   std::optional<uint64_t> bytes;
   if (is_standard_input) {
-    // Not ours to delete.
+    // Not owned, so the deleter does nothing.
     stream = {options.input != nullptr ? options.input : &std::cin, [](std::istream*) {}};
   } else {
     stream = open_file(path);
@@ -153,7 +153,7 @@ Scene open_mesh(const spec::Contract& contract, const std::string& name, Mesh me
 
 using MeshFileReader = Mesh (*)(const std::string& file, std::vector<std::string>* warnings);
 
-// nullptr: no file of a mesh
+// The reader for a file name's ending; nullptr if it is no mesh format.
 MeshFileReader mesh_file_reader(const std::string& ending) {
   if (ending == ".obj") return read_obj;
   if (ending == ".ply") return read_ply;

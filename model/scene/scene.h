@@ -1,4 +1,4 @@
-// Opens a scene by name or path: the one door to everything this folder reads.
+// Opens a scene by name or path: the entry point of this folder.
 #pragma once
 
 #include <istream>
@@ -20,7 +20,7 @@ struct Size {
   int height = 480;
 };
 
-/// px; width and height are not negative. It may reach beyond the frame on every side.
+/// In px; width and height are not negative. It may reach beyond the frame on every side.
 struct Scissor {
   int x = 0;
   int y = 0;
@@ -28,9 +28,10 @@ struct Scissor {
   int height = 0;
 };
 
-/// What a caller may ask for. Anything that the scene cannot honour is refused, never ignored.
+/// Options for opening a scene. An option that does not apply to the scene is an error, not
+/// ignored.
 struct Options {
-  // Meshes and built-in scenes; .tri, .ptrb and hard cases say these themselves
+  // For meshes and built-in scenes; .tri, .ptrb and hard cases define these themselves
   std::optional<Size> size;  // default 640x480, `triangle` 64x64
   std::optional<spec::Cull> cull;
   std::optional<spec::DepthFunc> depth;
@@ -39,23 +40,23 @@ struct Options {
   std::optional<DepthBias> depth_bias;  // |constant| < 2^depth_bits
   std::optional<float> clear_depth;     // 0 to 1
   std::optional<spec::Shade> shade;
-  // Meshes only: depth is 1 at the near plane. Not given, the depth function is then greater and
-  // depth cleared to 0.
+  // Meshes only: depth is 1 at the near plane. Then `depth` defaults to greater and `clear_depth`
+  // to 0.
   bool reverse_z = false;
   std::optional<Camera> camera;      // meshes only; default: framing_view()
-  std::optional<int> camera_number;  // one of Mesh::camera, .gltf and .glb only; without `camera`
+  std::optional<int> camera_number;  // index in Mesh::camera; .gltf, .glb only; without `camera`
 
   std::optional<int> tessellate;  // `teapot` only: quads along a patch's side, default 10
   uint64_t seed = 0;              // of random scenes
-  bool multi_pass = false;        // rewind() must work: a pipe is copied to a temporary file
-  std::istream* input = nullptr;  // what "-" reads, if not standard input
+  bool multi_pass = false;        // rewind() must work, so a pipe is copied to a temporary file
+  std::istream* input = nullptr;  // the stream for "-"; nullptr: standard input
 };
 
 struct Scene {
   std::string name;
   spec::FrameState frame;
   std::unique_ptr<SnappedSource> source;
-  std::shared_ptr<const ClipMesh> mesh;  // what source draws, before clipping; null: no mesh
+  std::shared_ptr<const ClipMesh> mesh;  // the mesh that `source` draws, unclipped; null: none
   std::vector<std::string> warnings;     // found while opening, one line each
 };
 
@@ -70,12 +71,12 @@ Scene open_scene(const spec::Contract& contract, const std::string& name, const 
 struct BuiltIn {
   std::string name;  // as open_scene() takes it
   std::string summary;
-  std::string right_answer;  // what must come of a hard case; else empty
+  std::string right_answer;  // of a hard case; else empty
 };
 std::vector<BuiltIn> built_in_scenes();
 
-/// What was dropped, changed or is not drawn as the scene states it by this design, so far: one
-/// sentence each for a person.
+/// Notes for the user, one sentence each: what was dropped or changed so far, and what this design
+/// cannot draw as the scene states it.
 std::vector<std::string> notes(const spec::Design& design, const spec::FrameState& frame,
                                const Counters& counters);
 std::vector<std::string> notes(const Scene& scene);

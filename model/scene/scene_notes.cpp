@@ -9,7 +9,7 @@
 namespace pineda::scene {
 namespace {
 
-// What the scene states and the design has no part for.
+// Notes on what the scene states but the design cannot draw.
 void add_missing_parts(const spec::Design& d, const spec::FrameState& frame,
                        std::vector<std::string>* lines) {
   if (!d.depth_test && frame.depth != spec::DepthFunc::kOff) {
@@ -29,7 +29,7 @@ void add_missing_parts(const spec::Design& d, const spec::FrameState& frame,
   }
 }
 
-// A frame that is cleared so that nothing can be seen.
+// A note if the clear depth lets no sample pass the depth function.
 void add_barred(const spec::Design& d, const spec::FrameState& frame,
                 std::vector<std::string>* lines) {
   using spec::Barred;

@@ -1,4 +1,4 @@
-// Triangles after the viewport transform and before snapping: what .tri and .ptrb hold.
+// Triangles after the viewport transform and before snapping, as in .tri and .ptrb files.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace pineda::scene {
 
-/// x, y in px, y down; z in [0, 1]; w the clip-space w; straight colour.
+/// x, y in px, y down; z in [0, 1]; the clip-space w; colour, not premultiplied.
 struct ScreenVertex {
   float x = 0;
   float y = 0;
@@ -29,7 +29,7 @@ struct ScreenTriangle {
   std::array<ScreenVertex, 3> v;
 };
 
-/// A pull stream of screen triangles; it counts the triangles it reads and what it cuts or drops.
+/// A pull stream of screen triangles. It counts the triangles that it reads, clips and drops.
 class ScreenReader {
  public:
   virtual ~ScreenReader() = default;
@@ -38,9 +38,9 @@ class ScreenReader {
 
   /// Triangles of the scene, if that is known without reading it.
   virtual std::optional<uint64_t> size() const { return std::nullopt; }
-  /// Leaves out so many triangles, and what is left of one that is handed out in pieces. They are
-  /// neither counted nor looked at more closely than finding the next one takes. Returns how many
-  /// there were: fewer at the end. As it stands here, for readers without pieces.
+  /// Skips a number of triangles, after discarding the remaining pieces of the current one. Skipped
+  /// triangles are not counted, and read only as far as needed to find the next one. Returns how
+  /// many were skipped: fewer at the end. This default is for readers that give no pieces.
   virtual uint64_t skip(uint64_t triangles) {
     Counters none;
     ScreenTriangle triangle;
@@ -50,7 +50,7 @@ class ScreenReader {
   }
 };
 
-/// Screen triangles from memory.
+/// Reads screen triangles from memory.
 class ListReader final : public ScreenReader {
  public:
   explicit ListReader(std::vector<ScreenTriangle> triangles) : triangles_(std::move(triangles)) {}

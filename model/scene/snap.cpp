@@ -22,7 +22,7 @@ int32_t snap_coordinate(const spec::Contract& c, float value_px, Counters* count
     ++counters->denormals;
     return 0;
   }
-  // Exact: a power of two moves only the exponent, and a double has room for every float's.
+  // Exact: scaling by a power of two only changes the exponent, and a double has a larger range.
   const double scaled = static_cast<double>(value_px) * (1 << c.design.subpixel_bits);
   const double rounded = std::nearbyint(scaled);  // halves to even
   const int32_t limit = 1 << (c.design.guard_bits + c.design.subpixel_bits);
@@ -46,7 +46,7 @@ int64_t snap_depth(const spec::Contract& c, float z, Counters* counters) {
   std::memcpy(&bits, &z, sizeof bits);
   const int64_t mantissa = (bits & 0x7fffff) | 0x800000;
   const int shift = 150 - static_cast<int>(bits >> 23);
-  // Below 2^64 at 32 bits, and a bit more while it is rounded.
+  // Below 2^64 with 32 depth bits; rounding needs one bit more.
   const spec::int128_t product = spec::int128_t{(mantissa << c.design.depth_bits) - mantissa}
                                  << spec::kDepthInputFractionBits;
   return shift > 66 ? 0 : static_cast<int64_t>(spec::round_half_up(product, shift));
@@ -63,7 +63,7 @@ void set_inverse_w(const spec::Contract& c, const std::array<float, 3>& w,
     const int bits = c.design.inverse_w_bits;
     int64_t quotient = ((int64_t{1} << (24 + bits)) + m) / (2 * m);
     exponent[i] = -e;
-    if (quotient >> bits != 0) {  // a power of two, or one that rounds up to it
+    if (quotient >> bits != 0) {  // w is a power of two, or the quotient rounded up to one
       quotient >>= 1;
       ++exponent[i];
     }

@@ -11,18 +11,18 @@ namespace pineda::scene {
 /// A coordinate in units of 2^-S px.
 ///
 /// Bits     nearest multiple of 2^-S, halves to even, then saturated to
-///          [-2^guard_bits, 2^guard_bits - 2^-S]; a denormal is 0. For every float but NaN.
+///          [-2^guard_bits, 2^guard_bits - 2^-S]; denormals become 0. For all floats except NaN.
 /// Errors   none: saturation and denormals are counted.
 int32_t snap_coordinate(const spec::Contract& contract, float value_px, Counters* counters);
 
 /// A depth in units of 2^-8 codes.
 ///
-/// Bits     z*(2^depth_bits - 1), halves up, in integers with one rounding: in binary32
-///          z*16777215+.5f is wrong for half of all floats in [.5, 1]. For every float but NaN.
-/// Errors   none: z outside [0, 1] is clamped and counted; a denormal is 0 and counted.
+/// Bits     z*(2^depth_bits - 1) in integers, rounded once, half up. (In binary32 z*16777215+.5f
+///          would be wrong for half of all floats in [.5, 1].) For all floats except NaN.
+/// Errors   none: z outside [0, 1] is clamped and counted; denormals become 0 and are counted.
 int64_t snap_depth(const spec::Contract& contract, float z, Counters* counters);
 
-/// 1/w of the three vertices of a triangle, in the form that Vertex has.
+/// Sets Vertex::inverse_w and inverse_w_shift of a triangle's three vertices.
 ///
 /// Bits     mantissas of inverse_w_bits, rounded half up from the exact quotient of the float; the
 ///          greatest exponent of the three has shift 0.
@@ -32,12 +32,13 @@ void set_inverse_w(const spec::Contract& contract, const std::array<float, 3>& w
 
 /// Snaps the triangles of a reader.
 ///
-/// Bits     colours are exact at 8 bits; a design of n bits takes c*(2^n - 1)/255 to the nearest.
-///          Designs of fewer than four attributes take the first ones; of more, the rest are 0.
+/// Bits     a colour c becomes c*(2^n - 1)/255 for n attribute bits, rounded to the nearest; exact
+///          for n = 8. A design with fewer than four attributes takes the first ones; with more,
+///          the rest are 0.
 /// Drops    triangles with a NaN in x, y, z or w: counted.
 class SnappedSource final : public TriangleSource {
  public:
-  /// Counts from `start` on: what was found in the scene's state.
+  /// Counters begin at `start`, which has what was found in the scene's state.
   SnappedSource(const spec::Contract& contract, std::unique_ptr<ScreenReader> reader,
                 const Counters& start = {})
       : contract_(contract), reader_(std::move(reader)), start_(start) {
@@ -50,7 +51,7 @@ class SnappedSource final : public TriangleSource {
 
   /// Triangles of the scene as read, if that is known without reading it.
   std::optional<uint64_t> size() const { return reader_->size(); }
-  /// Leaves out so many triangles as read, uncounted: see ScreenReader::skip().
+  /// Skips triangles of the reader without counting them: see ScreenReader::skip().
   uint64_t skip(uint64_t triangles) { return reader_->skip(triangles); }
 
   /// The floats that the last triangle was snapped from.

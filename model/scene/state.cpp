@@ -11,7 +11,7 @@
 namespace pineda::scene {
 
 void set_scissor(int x_px, int y_px, int width_px, int height_px, spec::FrameState* frame) {
-  // Left of 0 and beyond kNoScissorPx there is no frame.
+  // No frame reaches below 0 or beyond kNoScissorPx, so clamping changes nothing.
   const auto inside = [](int64_t px) {
     return static_cast<int>(std::clamp<int64_t>(px, 0, spec::kNoScissorPx));
   };

@@ -28,7 +28,7 @@ inline Vec3 normalized(const Vec3& a) {
 inline bool is_finite(const Vec3& a) {
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
 }
-/// Does it lead anywhere: is its length finite and not zero?
+/// Does the vector define a direction: is its length finite and not zero?
 inline bool is_direction(const Vec3& a) {
   const double l = length(a);
   return l > 0 && std::isfinite(l);

@@ -21,13 +21,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr uint32_t kNearestGrey = 255;
-constexpr uint32_t kFarthestGrey = 40;  // still tells the form from the black around it
+constexpr uint32_t kFarthestGrey = 40;  // still visible against the black background
 
 [[noreturn]] void fail_to_write(const std::string& path) {
   throw InputError(path, fmt::format("expected to write it, got: {}", std::strerror(errno)));
 }
 
-// A file under its temporary name; removed again unless it reaches its place.
+// A file under a temporary name, which is removed unless commit() renames it.
 class PendingFile {
  public:
   explicit PendingFile(const std::string& path)
@@ -137,8 +137,8 @@ void write_file(const std::string& path, std::string_view bytes) {
   if (error) {
     throw InputError(folder.string(), "expected to make the folder, got: " + error.message());
   }
-  // A link keeps its place and the file behind it is replaced; a device, a pipe or a
-  // stream that is open already (/dev/stdout) cannot be renamed over, so it is written to as it is.
+  // Of a symbolic link the target file is replaced, not the link. Devices, pipes and open streams
+  // (/dev/stdout) must not be replaced by a file, so they are written to directly.
   const fs::file_status status = fs::status(path, error);
   const bool special = path.rfind("/dev/", 0) == 0 || path.rfind("/proc/", 0) == 0;
   if (special || (fs::exists(status) && !fs::is_regular_file(status))) {
@@ -172,7 +172,7 @@ void write_depth_png(const std::string& path, const Frame& frame) {
     least = std::min(least, code);
     greatest = std::max(greatest, code);
   }
-  // A single depth is shown as the nearest.
+  // If there is only one depth it is shown as the nearest.
   const uint64_t range = greatest > least ? greatest - least : 1;
   const bool is_reversed = frame.clear_depth == 0;
   std::vector<uint8_t> grey;

@@ -1,5 +1,5 @@
-// Pictures and frame dumps. Each file is complete or absent: it is written beside its place under
-// another name and then renamed.
+// Writes pictures and frame dumps. A file is never left incomplete: it is written under a temporary
+// name in the same folder and then renamed.
 #pragma once
 
 #include <cstdint>
@@ -30,18 +30,18 @@ void write_file(const std::string& path, std::string_view bytes);
 /// Errors   std::invalid_argument: `rgb` is not of that size.
 void write_rgb_png(const std::string& path, int width, int height, const std::vector<uint8_t>& rgb);
 
-/// 8-bit RGB; what nothing was drawn on is black. Channels that the design lacks are 0, and alpha,
-/// which is an attribute like the others and blends nothing, is left out.
+/// 8-bit RGB; samples on which nothing was drawn are black. Channels that the design lacks are 0.
+/// Alpha is left out: it is an attribute like the others, and nothing is blended.
 void write_color_png(const std::string& path, const Frame& frame);
 
-/// 8-bit grey, the nearest sample 255, the farthest 40, evenly between: the contrast is that of the
-/// depths that occur, so codes of two pictures cannot be compared. Cleared samples are black. The
-/// nearest has the least code; where depth is cleared to 0 (reversed z) it has the greatest.
+/// 8-bit grey: the nearest sample is 255, the farthest 40, linear between. The scale depends on the
+/// depths that occur, so greys of two pictures cannot be compared. Samples at the clear depth are
+/// black. The nearest code is the least one, or the greatest if depth is cleared to 0 (reversed z).
 void write_depth_png(const std::string& path, const Frame& frame);
 
 /// hits.u16, depth.u32 and color.rgba in `folder`, little-endian. Values of other than eight bits
-/// are scaled to 8 bits; missing colours are 0, a missing alpha is 255. With no hits in the frame
-/// (a design may not know them) hits.u16 is left out, and an older one removed.
+/// are scaled to 8 bits; missing colours are 0, a missing alpha is 255. If `frame.hits` is empty
+/// (they are not always known) hits.u16 is not written, and an existing one is removed.
 void write_dump(const std::string& folder, const Frame& frame);
 
 }  // namespace pineda::scene

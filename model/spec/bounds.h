@@ -1,5 +1,5 @@
-// What a design promises of its values, from its own parameters. docs/accuracy.md has the
-// derivation.
+// Error bounds of a design's depth and attribute values, computed from its parameters.
+// docs/accuracy.md derives them.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,9 @@
 
 namespace pineda::spec {
 
-/// Greatest relative error of core::reciprocal(), proven for every parameter; for the named ROMs
-/// and k a smaller one, found by trying every mantissa (`pineda study reciprocals --exhaustive`).
+/// Upper bound of the relative error of core::reciprocal(), proven for all parameters. The ROM
+/// sizes and k of the named designs have a tighter one, found by trying every mantissa
+/// (`pineda study reciprocals --exhaustive`).
 inline double reciprocal_error_bound(const Design& d) { return scheme_of(d).error_bound(d); }
 
 /// Largest error of a depth code and of an attribute against exact arithmetic on the snapped
@@ -22,16 +23,17 @@ struct ErrorBounds {
 };
 
 /// Before the final rounding: |error| <= range*r + (|Dx|+|Dy|+2) * 2^-(F+1) + (2T-1) * 2^-(F'+1).
-/// The range of the value times the reciprocal's error; offsets of up to 2^(guard+1) px from the
-/// anchor times the rounding of the gradients, and that of the references; inside the tile 2(T-1)
-/// steps and one reference rounded to F' bits, nothing if F' = F. No term grows as the triangle's
-/// area shrinks. A design without a reciprocal rounds nothing.
+/// First term: the value's range times the relative error r of the reciprocal. Second: the rounding
+/// of the gradients, times an offset of up to 2^(guard+1) px from the anchor in x and in y, plus
+/// the rounding of the reference. Third: 2(T-1) steps inside the tile and one reference, rounded to
+/// F' bits; 0 if F' = F. No term grows as the triangle's area shrinks. A design without a
+/// reciprocal rounds nothing before the end.
 ///
-/// With perspective the attribute is a mean of the vertices' values with weights E/w over their
-/// sum. A relative error u of each weight moves it by u * range/2, since mean deviations from a
-/// mean are no more than half the range: u = 2^-n from n mantissa bits of 1/w rounded (2^-n at
-/// 1/2). Products cut off at 2^-25 of the greatest move it by three of those, the reciprocal by
-/// itself, and two weights rounded by 2^-25 each by that.
+/// With perspective the attribute is the mean of the vertices' values, weighted by E/w. A relative
+/// error u of each weight moves the mean by at most u * range/2, since the mean deviation from a
+/// mean is at most half the range; u = 2^-n for 1/w rounded to n mantissa bits. Added to that: the
+/// three products E/w, each truncated at 2^-25 of the greatest; the error of the reciprocal; and
+/// two weights rounded by up to 2^-25.
 inline ErrorBounds error_bounds_before_rounding(const Design& design) {
   const Design d = tamed(design);
   if (!has_reciprocal(d)) return {0, 0};
@@ -52,8 +54,9 @@ inline ErrorBounds error_bounds_before_rounding(const Design& design) {
                                                                     : bound(d.attribute_bits)};
 }
 
-/// The final rounding included, which is 1/2; and for depth 2^-9, by which a vertex's z in UQ.8 may
-/// differ from the float that it was: the bound holds against either.
+/// Adds the final rounding, 1/2. Depth gets another 2^-9, the rounding of a vertex's z to 8
+/// fraction bits: so the bound holds against the scene's floats as well as against the snapped
+/// vertices.
 inline ErrorBounds error_bounds(const Design& d) {
   const ErrorBounds before = error_bounds_before_rounding(d);
   return {d.depth_test ? before.depth_ulp + std::exp2(-(kDepthInputFractionBits + 1)) + .5 : 0,
@@ -63,11 +66,11 @@ inline ErrorBounds error_bounds(const Design& d) {
 /// What a depth bias adds to the bound of a triangle's depth codes, in ulp. `slope` is the factor
 /// of the state; `gradient` = max(|dz/dx|, |dz/dy|) of the triangle, exact, in codes a px.
 ///
-/// bias = constant + slope * magnitude, where constant and slope are exact, and so are the product
-/// and the sum at 2^-16 codes. The magnitude is a gradient times the reciprocal's error, rounded to
-/// 8 fraction bits, and saturated below 2^(depth_bits+2): neither the greater of two magnitudes nor
-/// saturating makes an error greater, but beyond that limit the rest of the gradient is lost. The
-/// bias itself saturates where every code is at an end of the range, and clamping to the range
+/// bias = constant + slope * magnitude. Constant, slope, product and sum are exact in units of
+/// 2^-16 codes. The magnitude has the relative error of the reciprocal, is rounded to 8 fraction
+/// bits, and saturates below 2^(depth_bits+2). Taking the maximum of two magnitudes and saturating
+/// do not increase an error, but the part of the gradient beyond the limit is lost. The bias itself
+/// saturates only where it moves every code to an end of the range, and clamping to the range
 /// brings two values no farther apart.
 inline double depth_bias_error_bound(const Design& d, double slope, double gradient) {
   if (!has_reciprocal(d) || !d.depth_test || slope == 0) return 0;

@@ -16,7 +16,7 @@ uint32_t depth_code(double z, int depth_bits) {
   const auto mantissa = static_cast<int64_t>(std::ldexp(std::frexp(z, &exponent), kMantissaBits));
   const int shift = kMantissaBits - exponent;
   const int128_t product = int128_t{mantissa} * ((int64_t{1} << depth_bits) - 1);
-  // Of a shift of 86 and more less than one half is left.
+  // With a shift of 86 or more the result is below one half, so 0.
   return shift > kMantissaBits + 32 ? 0 : static_cast<uint32_t>(round_half_up(product, shift));
 }
 

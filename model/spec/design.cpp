@@ -10,7 +10,8 @@ namespace pineda::spec {
 
 namespace {
 
-/// A point on the front of speed against error: reciprocal, k and F; no narrowing inside a tile.
+/// A design on the Pareto front of speed against error, given by its reciprocal, k and F. Planes
+/// are not narrowed inside a tile: F' = F.
 constexpr Design point(const char* name, const char* summary, int lut_bits, int newton_steps, int k,
                        int f) {
   Design d;
@@ -63,7 +64,7 @@ constexpr Design wide() {
   return d;
 }
 
-// Bounds of one code at frames of up to 1024 px: see error_bounds().
+// Its error bounds are below one code, for frames of up to 1024 px: see error_bounds().
 constexpr Design tiny() {
   Design d = point("tiny", "the smallest that is right for 640x480: one multiplier, 16-bit depth",
                    9, 1, 23, 13);
@@ -79,7 +80,7 @@ constexpr Design tiny() {
   return d;
 }
 
-// One word of the memory holds a depth for each stamp of a tile, all looked at in a cycle.
+// One memory word holds a depth for each stamp of a tile; all of them are compared in one cycle.
 constexpr int kMaxHiddenStampsLog2 = 6;
 
 }  // namespace
@@ -111,7 +112,7 @@ const Design* find_design(const std::string& name) {
 
 namespace {
 
-/// "newton or quadratic": those that take a number a cycle.
+/// "newton or quadratic": the schemes with a throughput of one number a cycle.
 std::string quick_schemes() {
   std::vector<std::string> words;
   for (const Scheme& scheme : kReciprocalSchemes) {
@@ -120,7 +121,7 @@ std::string quick_schemes() {
   return joined(words, ", ", " or ");
 }
 
-/// Parts that need another.
+/// Why a combination of parameters cannot be built; empty if it can.
 std::string combination_reason(const Design& d) {
   const bool has_planes = has_reciprocal(d);
   if (d.hierarchical_z && (!d.depth_test || !has_planes)) {
@@ -135,7 +136,7 @@ std::string combination_reason(const Design& d) {
   if (d.perspective && d.attributes == 0) {
     return "perspective needs attributes that are interpolated";
   }
-  // A weight a cycle and lane, or the planes of a triangle a cycle.
+  // Perspective needs one reciprocal per lane and cycle, pipelined setup one per cycle.
   if (!scheme_of(d).every_cycle &&
       (d.perspective || (has_planes && d.setup_style == SetupStyle::kPipelined))) {
     return fmt::format("{} needs reciprocal_scheme {}: {} takes many cycles",

@@ -1,4 +1,4 @@
-// A design point is data: every choice an architect makes, and nothing derived.
+// A design point as data: all parameters that an architect chooses. Derived values are in widths.h.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace pineda::spec {
 
-/// How the planes get from numerators to gradients: reciprocal/schemes.h says what each one is.
+/// How setup divides by the doubled area. Each scheme is described in its file in reciprocal/.
 enum class ReciprocalScheme {
-  kNewton,      // ROM of 2^lut_bits entries, then Newton steps, none included
+  kNewton,      // ROM of 2^lut_bits entries, then 0 or more Newton steps
   kQuadratic,   // ROM of 2^lut_bits parabolas
   kRestoring2,  // restoring division, a bit a cycle
   kRestoring4,  // the same quotient, two bits a cycle
   kNone,        // no reciprocal: planes step by quotient and remainder and are never rounded
 };
 
-/// How many triangles share a multiplier in setup.
+/// How setup shares its multipliers.
 enum class SetupStyle {
-  kStepped,    // two multipliers for the edges, a pipeline for the planes: some ten cycles
+  kStepped,    // two multipliers for the edges, a pipeline for the planes: ten cycles or more
   kPipelined,  // every product has its own multiplier: a triangle a cycle
   kSerial,     // one multiplier for every product of a triangle
 };
@@ -31,9 +31,9 @@ inline constexpr Name<SetupStyle> kSetupStyleNames[] = {
 };
 constexpr const auto& names(SetupStyle) { return kSetupStyleNames; }
 
-/// Parameters of one rasterizer: their keys, ranges and meanings stand in parameters.h. widths()
-/// derives every width from them; see widths.h.
-/// A plain aggregate: named designs are constexpr, others can be read from a file.
+/// The parameters of one rasterizer. Their keys, ranges and meanings are in parameters.h; widths()
+/// in widths.h derives all widths from them.
+/// A plain aggregate, so that named designs can be constexpr; others are read from files.
 struct Design {
   const char* name = "high_tile";
   const char* summary = "default: error at the rounding limit, in-tile steps of 8 fraction bits";
@@ -42,8 +42,8 @@ struct Design {
   int subpixel_bits = 8;  // S: x, y are multiples of 2^-S px
   int guard_bits = 14;    // vertices lie in [-2^guard_bits, 2^guard_bits) px
 
-  // What is interpolated. Attributes are r, g, b, a and what follows: first those interpolated,
-  // then those that a triangle's first vertex gives to all of its samples.
+  // Depth and attributes. Attributes are r, g, b, a, ...: first the interpolated ones, then the
+  // flat ones, which all samples take from the triangle's first vertex.
   bool depth_test = true;  // off: no depth at all
   int depth_bits = 24;
   int attributes = 4;       // interpolated
@@ -70,19 +70,19 @@ struct Design {
   int stamp_width_log2 = 1;
   int stamp_height_log2 = 1;
 
-  // Hierarchical z: a tile that lies behind everything stored there is not walked
+  // Hierarchical z: a tile whose part of the triangle lies behind all stored depths is skipped
   bool hierarchical_z = false;
-  int hierarchical_z_bits = 12;      // of a depth, the top ones
-  int hierarchical_z_tiles = 32768;  // of a frame, row by row, the first ones
+  int hierarchical_z_bits = 12;      // top bits of a depth that it stores and compares
+  int hierarchical_z_tiles = 32768;  // it covers the first tiles of a frame, in raster order
   int hierarchical_z_delay_cycles =
-      4;  // from a depth write accepted to the first test that sees it
+      4;  // from an accepted depth write to the first tile test that sees it
 
   // Buffers
   int prim_fifo_depth = 4;            // setup -> traversal
   int tile_fifo_depth = 2;            // inside traversal: tile test -> stamps
   int stamp_fifo_depth = 4;           // traversal -> interpolation
   int depth_latency_cycles = 8;       // default of the depth memory, request accepted -> response
-  int max_depth_latency_cycles = 64;  // the longest at which a stamp a cycle is still kept up
+  int max_depth_latency_cycles = 64;  // greatest latency with a full rate of one stamp a cycle
 };
 
 inline constexpr Design kHighTile{};
@@ -96,7 +96,8 @@ constexpr int plane_count(const Design& d) {
   return (d.depth_test ? 1 : 0) + (d.perspective ? 0 : d.attributes);
 }
 
-/// Planes need the reciprocal of the doubled area, weights that of the sum of the products.
+/// Whether the design computes reciprocals: of the doubled area for planes, and of the sum of the
+/// weight products for perspective.
 constexpr bool has_reciprocal(const Design& d) {
   return d.reciprocal_scheme != ReciprocalScheme::kNone && (plane_count(d) > 0 || d.perspective);
 }

@@ -15,13 +15,13 @@
 namespace pineda::spec {
 namespace {
 
-/// Names of designs that were read: a Design only points to its own.
+/// Keeps a text until the program ends: a Design only points to its name and summary.
 const char* kept(const std::string& text) {
   static std::deque<std::string> all;
   return all.emplace_back(text).c_str();
 }
 
-// What a message takes over from a file: in one line, printable, and not without end.
+// Text from a file as a message may quote it: one line, printable, of limited length.
 std::string printable(std::string text) {
   constexpr size_t kLongest = 1200;
   if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
@@ -43,7 +43,7 @@ std::string text_of(const std::string& path, const toml::node& node, const char*
   return *text;
 }
 
-/// Takes a parameter's value from its node.
+/// Sets one parameter of a design from the value of its TOML node.
 class Setter {
  public:
   Setter(const std::string& path, const toml::node& node, const char* key, Design* design)
@@ -90,7 +90,7 @@ Design base_of(const std::string& path, const toml::table& table) {
   refuse(path, node->source(), fmt::format("base to be a named design, got {}", name));
 }
 
-/// Sets what a key says. Those of base, name and summary are taken elsewhere.
+/// Sets the parameter with this key. The keys base, name and summary are handled elsewhere.
 void set(const std::string& path, const std::string& name, const toml::node& node, Design* d) {
   if (name == "base" || name == "name" || name == "summary") return;
   for (const Parameter& p : kParameters) {
@@ -100,7 +100,7 @@ void set(const std::string& path, const std::string& name, const toml::node& nod
          fmt::format("a parameter of a design (see pineda designs), got {}", name));
 }
 
-/// The line of the key that a reason begins with, or the first.
+/// The line of the key that `reason` begins with; 1 if there is none.
 uint32_t line_of(const toml::table& table, const std::string& reason) {
   for (const auto& [key, node] : table) {
     if (reason.rfind(std::string(key.str()) + " ", 0) == 0) return node.source().begin.line;

@@ -1,4 +1,5 @@
-// A design from a TOML file: the keys that `pineda designs` prints, what is left out from a base.
+// Reads a design from a TOML file, with the keys that `pineda designs` prints. Parameters that the
+// file leaves out are those of its base design.
 #pragma once
 
 #include <stdexcept>
@@ -26,19 +27,19 @@ Design read_design(const std::string& path);
 /// The same from text; `path` is what errors name.
 Design parse_design(const std::string& text, const std::string& path);
 
-/// A parameter's key and value, as a file says them.
+/// A parameter's key and value, as a design file writes them.
 struct Setting {
   const char* key;
   std::string value;
 };
 
-/// The parameters in which a design differs from another, in the order of such a file.
+/// The parameters in which a design differs from `base`, in the order of a design file.
 std::vector<Setting> differences(const Design& design, const Design& base);
 
-/// The design as such a file, every parameter stated.
+/// The text of a design file that states every parameter.
 std::string design_toml(const Design& design);
 
-/// The same with what differs from a named design alone.
+/// The text of a design file that states only what differs from a named design.
 std::string design_toml(const Design& design, const Design& base);
 
 }  // namespace pineda::spec

@@ -19,7 +19,7 @@ std::string value_text(int bits, int fraction_bits, const char* unit, int64_t va
 std::string difference_text(const std::string& name, int bits, int fraction_bits, const char* unit,
                             int64_t expected, int64_t got);
 
-/// Compares T field by field by its table, which is looked up once, when the comparer is made.
+/// Compares two values of T field by field. The table of fields is built once, in the constructor.
 template <class T>
 class Comparer {
  public:
@@ -61,7 +61,7 @@ class Comparer {
   std::vector<Field<T>> table_;
 };
 
-/// The same for a single comparison. T is a struct of fields.h or a vector of it.
+/// The same for a single comparison, of two structs of fields.h or of two vectors of them.
 template <class T>
 std::optional<std::string> difference(const Contract& c, const T& expected, const T& got) {
   return Comparer<T>(c).difference(expected, got);

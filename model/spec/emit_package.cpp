@@ -1,5 +1,6 @@
-// emit_package DESIGN FOLDER: writes pineda_pkg.sv of a design, by name or as a file .toml; with
-// --bench also what its plug-in is built from: loopback.sv, loopback_ports.inc, package_hash.inc.
+// emit_package DESIGN FOLDER [--bench]: writes pineda_pkg.sv of a design, given by name or as a
+// .toml file. --bench also writes the sources that the test bench's plug-in is built from:
+// loopback.sv, loopback_ports.inc, package_hash.inc.
 #include <fmt/format.h>
 
 #include <fstream>

@@ -1,5 +1,5 @@
-// One table a struct: name, sign, width, fraction bits and unit of each field, in order.
-// From it come the SystemVerilog package, packing, the vectors' columns and the mismatch lines.
+// One table for each struct: name, sign, width, fraction bits and unit of each field, in order. The
+// SystemVerilog package, packing, the columns of vectors and mismatch messages are made from it.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace pineda::spec {
 
-/// A field of struct T: `count` elements of `bits` bits each; element 0 lies lowest.
+/// A field of struct T: `count` elements of `bits` bits each; element 0 is in the lowest bits.
 template <class T>
 struct Field {
   const char* name;
@@ -23,7 +23,7 @@ struct Field {
   void (*set)(const Contract&, T&, int element, int64_t value);
 };
 
-/// The fields of T in declaration order; the first one lies at the top of the packed struct.
+/// The fields of T in declaration order; the first one is in the top bits of the packed struct.
 template <class T>
 std::vector<Field<T>> fields(const Contract& contract);
 

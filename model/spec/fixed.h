@@ -1,4 +1,4 @@
-// Fixed-point primitives: the only places where a value wraps, rounds or counts its bits.
+// Fixed-point primitives. All wrapping, rounding and counting of bits in the project uses these.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Enumerations and their words: one table each, which files, options, reports and errors read.
+// The words of enumerations: one table for each, used by files, options, reports and errors.
 #pragma once
 
 #include <array>
@@ -11,16 +11,16 @@
 
 namespace pineda::spec {
 
-/// A row of such a table, in the order of the enumeration: the value, its word, and whatever else
-/// belongs to the value; this one has nothing else. names(Enum), which returns the table, stands
-/// beside each enumeration.
+/// A row of a table with nothing but a value and its word. Other tables have rows of their own
+/// types with further members. Rows are in the order of the enumeration; the function names(Enum),
+/// declared beside each enumeration, returns its table.
 template <class Value>
 struct Name {
   Value value;
   const char* word;
 };
 
-/// Raster state and options call a switch so; design files say true and false.
+/// The words of a bool in raster state and options; design files use true and false.
 inline constexpr Name<bool> kSwitchNames[] = {{false, "off"}, {true, "on"}};
 constexpr const auto& names(bool) { return kSwitchNames; }
 
@@ -40,7 +40,7 @@ constexpr const char* name_of(Value value) {
   return row_of(value).word;
 }
 
-/// The value of a word, if it is one.
+/// The value with this word; nothing if there is none.
 template <class Value>
 constexpr std::optional<Value> named(std::string_view word) {
   for (const auto& row : names(Value{})) {
@@ -66,7 +66,7 @@ std::vector<std::string> word_list() {
   return words;
 }
 
-/// The words between a separator and the one before the last: "none, back or front" for ", " and
+/// Joins words with a separator, and the last one with another: "none, back or front" for ", " and
 /// " or ".
 inline std::string joined(const std::vector<std::string>& words, const char* separator,
                           const char* last_separator) {

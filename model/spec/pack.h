@@ -1,4 +1,4 @@
-// Packs a struct into the bits of its SystemVerilog packed struct and back, by its table.
+// Converts a struct to and from the bits of its SystemVerilog packed struct, using its table.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace pineda::spec {
 
-/// A packed struct: bit i is bit i%32 of word i/32. The first field lies at the top.
+/// A packed struct: bit i is bit i%32 of word i/32. The first field is in the top bits.
 using Packed = std::vector<uint32_t>;
 
 /// Reads `bits` (1 to 64) bits from bit `position` on, zero-extended.
@@ -36,7 +36,7 @@ inline void set_bits(uint32_t* words, int position, int bits, uint64_t value) {
   if (shift + bits > 64) put(word + 2, mask >> (64 - shift), value >> (64 - shift));
 }
 
-/// Packs and unpacks T by its table. The table is looked up once, when the packer is made.
+/// Packs and unpacks T. The table of fields is built once, in the constructor.
 template <class T>
 class Packer {
  public:
@@ -48,7 +48,7 @@ class Packer {
   int words() const { return (bits_ + 31) / 32; }
   const std::vector<Field<T>>& table() const { return table_; }
 
-  /// Where a field's element 0 lies: its lowest bit. The field must exist.
+  /// The lowest bit of a field's element 0; -1 if there is no such field.
   int position(const std::string& name) const {
     int position = bits_;
     for (const auto& field : table_) {
@@ -58,7 +58,7 @@ class Packer {
     return -1;
   }
 
-  /// `words` holds words() zeroed or stale words; all of them are written.
+  /// Writes all words() words of `words`, whatever they held before.
   void pack(const T& value, uint32_t* words) const {
     for (int i = 0; i < this->words(); ++i) words[i] = 0;
     int position = bits_;

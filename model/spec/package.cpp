@@ -73,7 +73,8 @@ Constants attribute_constants(const Contract& c) {
   return all;
 }
 
-// Widths of what a design does not have are left out, so that no module can use them by mistake.
+// Constants of parts that a design does not have are left out, so that no module can use them by
+// mistake.
 Constants constants(const Contract& c) {
   const Design& d = c.design;
   const Widths& w = c.width;
@@ -123,7 +124,7 @@ Constants constants(const Contract& c) {
   return all;
 }
 
-// What the scheme of the reciprocal has, and no other.
+// The constants of the design's reciprocal scheme.
 Constants reciprocal_constants(const Design& d) {
   if (!has_reciprocal(d)) return {};
   Constants all{{"RECIPROCAL_BITS", d.reciprocal_bits, "k: mantissa of a reciprocal"},
@@ -137,7 +138,8 @@ std::string upper(std::string text) {
   return text;
 }
 
-// What is built, as macros: a module must not name what the package lacks, nor a port exist for it.
+// One macro for each part that the design has: RTL for other parts, ports included, must be
+// excluded by `ifdef, since the package lacks their constants.
 std::string macros_text(const Design& d) {
   std::string text = fmt::format("`define PINEDA_SETUP_{}\n", upper(name_of(d.setup_style)));
   const auto define = [&](bool built, const std::string& name) {
@@ -160,7 +162,7 @@ std::string rom_entry_text(const std::vector<RomPart>& entry) {
   return parts.size() == 1 ? parts[0] : "{" + joined(parts, ", ", ", ") + "}";
 }
 
-// The ROM as a function; nothing for a scheme without one.
+// The reciprocal ROM as a SystemVerilog function; empty for a scheme without a ROM.
 std::string reciprocal_rom_text(const Design& d) {
   if (!has_reciprocal(d) || !has_rom(d)) return {};
   const ReciprocalRom& rom = scheme_of(d).rom;
@@ -198,7 +200,7 @@ std::string struct_text(const std::vector<Field<T>>& table, const char* name) {
   std::string text = "  typedef struct packed {\n";
   int bits = packed_bits(table);
   for (const auto& f : table) {
-    // The triangle number is narrow in synthesis, so its width goes by name.
+    // The triangle number is only 1 bit wide in synthesis, so its width is a named constant.
     const bool is_id = std::string(f.name) == "id";
     const std::string range = is_id ? "[ID_BITS-1:0]" : fmt::format("[{}:0]", f.bits * f.count - 1);
     if (is_id) bits -= kTriangleIdBits;

@@ -11,23 +11,23 @@ namespace pineda::spec {
 /// Text of pineda_pkg.sv: constants, structs and the reciprocal ROM. The same bytes on every run.
 std::string package_text(const Contract& contract);
 
-/// Text of loopback.sv: a module that takes every struct apart into its fields (STRUCT_i ->
-/// STRUCT_FIELD_o) and puts it together again (STRUCT_FIELD_i -> STRUCT_o). Packing is tested
-/// against it, one bit at a time.
+/// Text of loopback.sv: a module that splits every struct into its fields (STRUCT_i ->
+/// STRUCT_FIELD_o) and assembles it from fields (STRUCT_FIELD_i -> STRUCT_o). Tests compare packing
+/// with it, one bit at a time.
 std::string loopback_text(const Contract& contract);
 
-/// The ports of that module, each as PORT(name), a line each.
+/// The ports of loopback.sv, one line PORT(name) for each.
 std::string loopback_ports(const Contract& contract);
 
 /// FNV-1a (64 bits) of a text.
 uint64_t text_hash(const std::string& text);
 
-/// Hash of the whole package, buffer depths included: a plug-in carries it, so that a stale one is
-/// refused.
+/// Hash of the whole package, buffer depths included. A plug-in stores it, so that one built from
+/// another package is refused.
 uint64_t package_hash(const Contract& contract);
 
-/// Hash of what decides bits: the structs' fields and the design's numeric parameters. Vectors
-/// carry it, so that stale ones are refused.
+/// Hash of what decides output bits: the structs' fields and the design's numeric parameters.
+/// Vectors store it, so that outdated ones are refused.
 uint64_t formats_hash(const Contract& contract);
 
 }  // namespace pineda::spec

@@ -9,7 +9,7 @@ namespace {
 
 const Number* number_of(const Parameter& p) { return std::get_if<Number>(&p.member); }
 
-/// In the key's unit; of a size that cannot be, too.
+/// A member's value in the key's unit, also for values out of range.
 double in_key_unit(const Number& number, int member) {
   return number.is_log2 ? std::exp2(member) : member;
 }
@@ -29,7 +29,7 @@ std::string range_reason(const Parameter& p, const Design& d) {
                      in_key_unit(*number, low), in_key_unit(*number, high));
 }
 
-/// The value of each kind of member.
+/// Reads the value of a member of each type.
 struct Read {
   const Design& design;
 

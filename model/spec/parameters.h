@@ -1,6 +1,6 @@
-// The parameters of a design, one row each. Design files, ranges and their errors, `pineda
-// designs`, differences of two designs, and docs/designs.md read this table: a new parameter is a
-// member of Design and a row here.
+// The table of a design's parameters, used by design files, range checks, `pineda designs`,
+// comparisons of designs, and docs/designs.md. A new parameter needs a member of Design and a row
+// here.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,10 @@
 
 namespace pineda::spec {
 
-/// An end of a range: a number, or what the design's other parameters allow.
+/// One end of a range: a number, or a function of the design's other parameters.
 struct Limit {
   int number;
-  const char* text = "";  // of the other parameters, by their keys; empty: the number
+  const char* text = "";  // formula in other parameters' keys; empty: `number` is the limit
   int (*of_design)(const Design&) = nullptr;
 
   constexpr bool is_number() const { return *text == '\0'; }
@@ -26,28 +26,28 @@ struct Number {
   int Design::*member;
   Limit low;
   Limit high;
-  bool is_log2 = false;  // a file says 2^member
+  bool is_log2 = false;  // the key's value is 2^member
 };
 
-/// Where a parameter lies, and of which kind it is.
+/// A parameter's member in Design, and its type.
 using Member =
     std::variant<Number, bool Design::*, ReciprocalScheme Design::*, SetupStyle Design::*>;
 
 struct Parameter {
   const char* key;  // in a design file
   Member member;
-  /// Of a design that does not use it, a number may hold anything: nobody looks at it.
+  /// Whether a design uses it. An unused number may have any value.
   bool (*used)(const Design&);
   const char* unit;  // of the key's value
   const char* meaning;
-  /// Ranges are looked at in rounds of rising number, in each from the first row to the last. So
-  /// what other ranges depend on comes before them.
+  /// Ranges are checked in rounds 0, 1, ..., and within a round in the order of the rows. A
+  /// parameter is checked before those whose range depends on it.
   int round = 0;
-  /// `pineda designs` prints it; if null, of the designs that use it.
+  /// Whether `pineda designs` prints it for a design; null: if the design uses it.
   bool (*listed)(const Design&) = nullptr;
 };
 
-/// Who has a parameter.
+/// Predicates for Parameter::used and Parameter::listed.
 namespace having {
 constexpr bool anything(const Design&) { return true; }
 constexpr bool depth(const Design& d) { return d.depth_test; }
@@ -61,7 +61,7 @@ constexpr bool newton_steps(const Design& d) { return scheme_of(d).has_newton_st
 constexpr bool hierarchical_z(const Design& d) { return d.hierarchical_z; }
 }  // namespace having
 
-/// Greatest values that depend on others.
+/// Upper limits that depend on other parameters.
 namespace most {
 constexpr int flat_attributes(const Design& d) { return kMaxAttributes - d.attributes; }
 constexpr int tile_fraction_bits(const Design& d) { return d.gradient_fraction_bits; }
@@ -69,7 +69,7 @@ constexpr int tile_log2(const Design& d) { return std::min(6, d.guard_bits - 1);
 constexpr int depth_latency_cycles(const Design& d) { return d.max_depth_latency_cycles; }
 }  // namespace most
 
-/// In the order of a design file.
+/// The table, in the order of a design file.
 inline constexpr Parameter kParameters[] = {
     {"reciprocal_scheme", &Design::reciprocal_scheme, having::anything, "",
      "how the reciprocal of the doubled area is found; `none` is the exact functional model", 0,
@@ -137,29 +137,29 @@ inline constexpr Parameter kParameters[] = {
      "sizes the table of stamps in flight, for a stamp a cycle at that latency", 1, having::depth},
 };
 
-/// The row of a key or of a number's member.
+/// The row of a key, or of a member that holds a number.
 /// Errors   std::out_of_range: there is none.
 const Parameter& parameter(const std::string& key);
 const Parameter& parameter(int Design::*member);
 
-/// Does `pineda designs` print it?
+/// Whether `pineda designs` prints the parameter for this design.
 bool is_listed(const Parameter& parameter, const Design& design);
 
-/// The value that a file has, in the key's unit; an enumeration's word.
+/// The parameter's value in the key's unit; for an enumeration its word.
 std::variant<bool, int, std::string> value_of(const Parameter& parameter, const Design& design);
 
-/// The same as a file writes it.
+/// The same as a design file writes it.
 std::string file_value(const Parameter& parameter, const Design& design);
 
-/// "4 to 64", of a switch "true, false", of an enumeration its words: for people.
+/// The range for a person: "4 to 64", "true, false", or the words of an enumeration.
 std::string range_text(const Parameter& parameter);
 
-/// Empty, or the first used number beyond its range, by its key and in the key's unit:
-/// "tile_px is 128, must be 4 to 64".
+/// Why a used number is out of range, for the first one that is: "tile_px is 128, must be 4 to 64".
+/// Empty if there is none.
 std::string range_reason(const Design& design);
 
-/// The same design, its unused numbers cut to what arithmetic can bear: from 0 to their greatest
-/// value. Everything that takes a Contract has such a design.
+/// The same design with its unused numbers clamped to 0 .. their upper limit, so that computing
+/// widths cannot overflow. A Contract always holds such a design.
 constexpr Design tamed(Design d) {
   for (const Parameter& p : kParameters) {
     if (!std::holds_alternative<Number>(p.member) || p.used(d)) continue;

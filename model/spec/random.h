@@ -1,5 +1,5 @@
-// Random numbers: the same on every machine and with every library, unlike those that the
-// distributions of <random> make.
+// Random numbers that are the same on every machine and with every library, unlike those of the
+// distributions in <random>.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace pineda::spec {
 
-/// SplitMix64, an engine like those of <random>.
+/// SplitMix64, with the interface of an engine of <random> as far as it is needed here.
 ///
 /// Source   Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, OOPSLA 2014.
 class SplitMix64 {
@@ -15,7 +15,7 @@ class SplitMix64 {
   explicit constexpr SplitMix64(uint64_t seed) : state_(seed) {}
 
   constexpr uint64_t operator()() { return mixed(state_ += kStep); }
-  /// What the n-th call gives after `seed`, counted from 1: all of them are there at once.
+  /// The result of the n-th call for `seed`, counted from 1, without making the calls before it.
   static constexpr uint64_t at(uint64_t seed, uint64_t n) { return mixed(seed + n * kStep); }
 
  private:
@@ -38,8 +38,8 @@ class RandomFrom {
   explicit RandomFrom(uint64_t seed) : engine_(seed) {}
 
   uint64_t bits() { return engine_(); }
-  /// low to high, both included; fewer than 2^64 values. The bias of the remainder does not matter
-  /// where they are far fewer.
+  /// A number from low to high, both included; fewer than 2^64 values. Taking the remainder favours
+  /// some values slightly, which is negligible for ranges far smaller than 2^64.
   template <class Low, class High>
   std::common_type_t<Low, High> between(Low low, High high) {
     using Integer = std::common_type_t<Low, High>;
@@ -59,8 +59,7 @@ class RandomFrom {
   Engine engine_;
 };
 
-/// The generator of the project. Another engine stands only where figures that are printed were
-/// drawn with it.
+/// The project's generator. Another engine is used only where published figures were drawn with it.
 using Random = RandomFrom<SplitMix64>;
 
 }  // namespace pineda::spec

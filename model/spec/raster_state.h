@@ -1,5 +1,5 @@
-// The choices of raster state, with their words: as .tri lines, options, reports and the package
-// of the RTL say them, and in the order of its codes.
+// The enumerations of raster state and their words, as .tri lines, options, reports and the RTL
+// package use them. The order of the values gives their codes in the RTL.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,8 @@ enum class Shade : uint8_t { kSmooth, kFlat };
 inline constexpr Name<Shade> kShadeNames[] = {{Shade::kSmooth, "smooth"}, {Shade::kFlat, "flat"}};
 constexpr const auto& names(Shade) { return kShadeNames; }
 
-/// A new sample passes if it compares so with the stored one. kOff neither tests nor writes.
+/// The comparison of a new depth with the stored one under which a sample passes. kOff neither
+/// tests nor writes depth.
 enum class DepthFunc : uint8_t {
   kLess,
   kLequal,
@@ -33,8 +34,8 @@ enum class DepthFunc : uint8_t {
   kAlways,
 };
 
-/// Which freshly cleared frames no sample passes, or only one at the end of the range that depth is
-/// cleared to. Nobody draws so on purpose.
+/// With which clear depths a depth function hides everything: no sample passes on a freshly cleared
+/// frame, or only samples exactly at the clear depth. Most likely a mistake in the scene's state.
 enum class Barred : uint8_t { kNone, kAll, kClearedToNearest, kClearedToFarthest };
 
 struct DepthFuncName {

@@ -1,5 +1,5 @@
-// The datum on its way: Triangle -> SetupPrim -> Tile -> Stamp -> Fragment -> DepthWrite,
-// ColorWrite. Formats stand in fields.h, one table a struct. y points down.
+// The structs that the units pass on: Triangle -> SetupPrim -> Tile -> Stamp -> Fragment ->
+// DepthWrite, ColorWrite. Their formats are in fields.cpp, one table for each. y points down.
 #pragma once
 
 #include <array>
@@ -20,7 +20,8 @@ struct FrameState {
   DepthFunc depth = DepthFunc::kLess;
   bool depth_write = true;  // of the samples that pass
   Shade shade = Shade::kSmooth;
-  // Samples in columns [x0, x1) and rows [y0, y1) only, px; what lies outside the frame counts not.
+  // Only samples in columns [x0, x1) and rows [y0, y1) are drawn, px. It may reach beyond the
+  // frame.
   int scissor_x0 = 0;
   int scissor_y0 = 0;
   int scissor_x1 = kNoScissorPx;
@@ -28,7 +29,7 @@ struct FrameState {
   // Depth bias = constant + slope * max(|dz/dx|, |dz/dy|)
   int64_t bias_constant = 0;  // depth codes
   int32_t bias_slope = 0;     // units of 2^-8, -2^15 to 2^15 - 1
-  // What depth is cleared to, 0 to 1; a scene states a binary32. Codes: see clear_depth.h.
+  // The clear depth, 0 to 1; a scene states it as a binary32. For its code see clear_depth.h.
   double clear_depth = 1;
 
   /// The scissor clipped to the frame.
@@ -46,9 +47,9 @@ struct Vertex {
   int32_t x = 0;
   int32_t y = 0;
   int64_t z = 0;
-  Attributes attr{};  // interpolated ones first, then those of which only vertex 0's count
-  // 1/w = inverse_w * 2^-inverse_w_shift times a factor that the three vertices share, by which the
-  // greatest 1/w of a triangle has shift 0. 2^(bits-1) <= inverse_w < 2^bits.
+  Attributes attr{};  // interpolated ones first, then flat ones, which only vertex 0 needs
+  // 1/w = inverse_w * 2^-inverse_w_shift * f, with a common factor f for the three vertices, chosen
+  // so that the greatest 1/w has shift 0. 2^(bits-1) <= inverse_w < 2^bits.
   int32_t inverse_w = 0;
   int32_t inverse_w_shift = 0;
 };
@@ -73,17 +74,17 @@ struct EdgeFunction {
   int64_t e = 0;  // E' at the reference sample, top-left bias folded in
 };
 
-/// What perspective-correct attributes come from, beside the edges: E of edge i, times 1/w, is the
-/// weight of vertex (i + 2) % 3, in canonical order.
+/// What perspective-correct attributes need beside the edge functions. In canonical order, the
+/// weight of vertex (i + 2) % 3 is E of edge i times that vertex's 1/w.
 struct PerspectiveSet {
   std::array<int32_t, 3> e_low{};      // (E - bias) mod 2^S of each edge, the same at every sample
-  std::array<int32_t, 3> inverse_w{};  // of the vertices, as in Vertex
+  std::array<int32_t, 3> inverse_w{};  // of each vertex, as in Vertex
   std::array<int32_t, 3> inverse_w_shift{};
   std::array<Attributes, 3> attr{};
 };
 
-/// What a triangle's samples get their values from; everything shares a reference sample. A design
-/// uses the parts that it has.
+/// All that a triangle's depth and attributes are computed from. All planes have the same reference
+/// sample. A design uses only some of the members.
 struct PlaneSet {
   Plane z;
   bool z_steep = false;  // hierarchical z: the plane may wrap within a tile, outside the triangle
@@ -107,8 +108,8 @@ struct Tile {
   int x = 0, y = 0;                    // column and row, in tiles
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // box clipped to the tile, px from the tile's corner
   std::array<EdgeFunction, 3> edge;    // e at the tile's first sample
-  // Bit i: edge i accepts every sample of the tile; its e is not looked at, and without perspective
-  // it has wrapped.
+  // Bit i: edge i accepts every sample of the tile. Its e is then not tested, and without
+  // perspective it may have wrapped.
   uint32_t accepted = 0;
   PlaneSet planes;  // referred to the tile's first sample, F' fraction bits
 };
@@ -128,19 +129,20 @@ struct Fragment {
   std::array<Attributes, kMaxLanes> attr{};  // interpolated attributes
 };
 
-/// With hierarchical z all samples of the frame are asked for, not only those covered.
+/// Request for the stored depths of a stamp. With hierarchical z the mask has all of the stamp's
+/// samples inside the frame, not only the covered ones.
 struct DepthRead {
   uint32_t id = 0;
   int x = 0, y = 0;
   uint32_t mask = 0;
 };
 
-/// Depth codes of a stamp; lanes that were not asked for are 0.
+/// Response to a DepthRead: the stored codes of a stamp; lanes that were not requested are 0.
 struct DepthData {
   std::array<uint32_t, kMaxLanes> z{};
 };
 
-/// Hierarchical z: the greatest depth stored in a stamp after its write, the top bits.
+/// Hierarchical z: the top bits of the greatest depth stored in a stamp after a write.
 struct DepthMax {
   int x = 0, y = 0;  // column and row, in stamps
   uint32_t z = 0;

@@ -1,4 +1,4 @@
-// Every width of a design, derived once, with its reason. Nothing else in the project holds one.
+// Derives all widths of a design, with reasons. No width is defined anywhere else in the project.
 #pragma once
 
 #include "model/spec/fixed.h"
@@ -6,7 +6,7 @@
 
 namespace pineda::spec {
 
-/// Depth enters with this many bits below one code: UQ<depth_bits>.8.
+/// Fraction bits of a vertex's depth: UQ<depth_bits>.8 codes.
 inline constexpr int kDepthInputFractionBits = 8;
 
 /// Attribute planes and depth planes carry a sign and one bit of head room: at a covered sample the
@@ -14,23 +14,26 @@ inline constexpr int kDepthInputFractionBits = 8;
 /// alias.
 inline constexpr int kPlaneHeadBits = 2;
 
-/// Depth bias: fraction bits of a gradient's magnitude and of the slope factor; the bias has both.
+/// Depth bias: fraction bits of the gradient's magnitude and of the slope factor. The bias, their
+/// product, has twice as many.
 inline constexpr int kBiasFactorFractionBits = 8;
 inline constexpr int kBiasFractionBits = 2 * kBiasFactorFractionBits;
 inline constexpr int kBiasSlopeBits = 16;  // sQ7.8
 
-/// Hierarchical z: a gradient of 2^n units of 2^-8 codes/px is steep. Below, a plane that is in
-/// range at one sample of a tile stays within half its range at all others, so it has not wrapped:
+/// Hierarchical z: a gradient of 2^n or more, in units of 2^-8 codes/px, is steep. With smaller
+/// ones a plane that is in range at one sample of a tile leaves the range by less than half of it
+/// at all others, so it cannot have wrapped:
 /// 2(T - 1) * 2^(depth_bits - log2 T - 2) < 2^(depth_bits - 1).
 constexpr int steep_log2(const Design& d) {
   return d.depth_bits - d.tile_log2 - 2 + kBiasFactorFractionBits;
 }
 
-/// Perspective: a vertex's weight at a sample is U1.24, from products E/w of 26 bits. Two more bits
-/// than the weight has keep the cutting of the products below its rounding.
+/// Perspective: a vertex's weight at a sample is U1.24, computed from products E/w of 26 bits. The
+/// two extra bits keep the truncation error of the products below the rounding error of the weight.
 inline constexpr int kWeightFractionBits = 24;
 inline constexpr int kWeightProductBits = kWeightFractionBits + 2;
-/// 1/w of a vertex below the greatest one of its triangle, log2: w is a normal float.
+/// Width of a vertex's inverse_w_shift: the exponent of 1/w below the greatest one of the triangle.
+/// w is a normal float, so 8 bits hold it.
 inline constexpr int kInverseWShiftBits = 8;
 
 /// Triangle number that travels with every token in simulation (1 bit in synthesis).
@@ -51,15 +54,15 @@ struct Widths {
   int attr_plane;        // the same for an attribute: s<attribute_bits+2>.F, wraps
   int depth_tile_plane;  // the same inside a tile: F' fraction bits
   int attr_tile_plane;
-  int value;           // what a plane is made of, z or an attribute: the widest
-  int value_fraction;  // its fraction bits
-  int numerator;       // its gradient numerator
-  int plane;           // gradient, reference: the widest
-  int setup_factor_a;  // of serial setup's multiplier
-  int setup_factor_b;
-  int bias_constant;      // depth codes, sign and the range of depth
+  int value;              // input of the widest plane: z if there is depth, else an attribute
+  int value_fraction;     // its fraction bits
+  int numerator;          // its gradient numerator
+  int plane;              // its gradients and reference
+  int setup_factor_a;     // first factor of serial setup's multiplier
+  int setup_factor_b;     // second factor
+  int bias_constant;      // depth codes: sign and depth_bits
   int bias_magnitude;     // max(|dz/dx|, |dz/dy|): UQ<depth_bits+3>.8, saturated
-  int depth_bias;         // sQ<depth_bits+1>.16, saturated: more moves every code beyond its range
+  int depth_bias;         // sQ<depth_bits+1>.16, saturated: beyond it every code is clamped anyway
   int frame_size;         // width, height: 1 .. 2^guard px
   int pixel;              // pixel index inside a frame
   int tile_index;         // tile column or row
@@ -68,44 +71,45 @@ struct Widths {
   int lanes;              // samples of a stamp (a count, not a width)
   int inflight_stamps;    // stamps between read issued and write accepted (a count)
   int setup_planes_step;  // step of setup in which the first plane starts
-  int setup_interval_cycles;      // a triangle every so many cycles
-  int setup_drop_cycles;          // after a dropped one
-  int setup_drop_latency_cycles;  // from a dropped one accepted to the unit without it
-  int setup_latency_cycles;       // from a triangle accepted to its output offered
+  int setup_interval_cycles;      // from an accepted triangle to the next one
+  int setup_drop_cycles;          // the same after a dropped triangle
+  int setup_drop_latency_cycles;  // from accepting a triangle to having dropped it
+  int setup_latency_cycles;       // from accepting a triangle to offering its output
   int attribute_cycles;  // from a stamp that passed the depth test to its colour write offered
 };
 
-/// Two multipliers for the edges, then a plane a cycle.
+/// Two multipliers for the edges, then one plane starts each cycle.
 constexpr void stepped_setup_cycles(const Design& d, Widths* w) {
   const int planes = plane_count(d);
-  // The last plane reads the triangle's differences 5 cycles after its start, and the next triangle
-  // writes them in its step 5; the steps themselves take 10 cycles.
+  // The last plane reads the triangle's coordinate differences 5 cycles after its start, and the
+  // next triangle overwrites them in its step 5. The steps themselves take 10 cycles.
   const int planes_done = planes > 0 ? w->setup_planes_step + planes - 1 : 0;
-  // A lone plane behind a slow reciprocal starts after all that; its step must be one of them.
+  // A single plane that waits for a slow reciprocal starts after the other steps; its start must be
+  // a step too.
   const int steps = planes == 1 ? w->setup_planes_step + 1 : planes_done;
   w->setup_interval_cycles = steps > 10 ? steps : 10;
   w->setup_drop_cycles = 5;  // known in step 4
-  // The last plane: six stages and the output register after its start. Edges: written in step 9.
+  // A plane takes six stages and the output register; edges are written in step 9.
   w->setup_latency_cycles = planes > 0 ? planes_done + 7 : 10;
 }
 
-/// A triangle a cycle. All planes start together; edges are complete in step 8.
+/// One triangle a cycle. All planes start together; edges are complete in step 8.
 constexpr void pipelined_setup_cycles(const Design& d, Widths* w) {
   w->setup_interval_cycles = w->setup_drop_cycles = 1;
   w->setup_latency_cycles = plane_count(d) > 0 ? w->setup_planes_step + 7 : 9;
 }
 
-/// A product a cycle: two of the area, four of the edges in steps 5 to 8, the reciprocal's, eight
-/// of each plane, and the depth bias.
+/// One product a cycle: two for the area, four for the edges in steps 5 to 8, those of the
+/// reciprocal, eight for each plane, and one for the depth bias.
 constexpr void serial_setup_cycles(const Design& d, Widths* w) {
   w->setup_planes_step = 9 + scheme_of(d).serial_setup_steps(d);
   const int products = 8 * plane_count(d) + (d.depth_test ? 1 : 0);
-  // The last product is taken up in one more step, the edges are written in step 10.
+  // The last product is used one step later; edges are written in step 10.
   const int last = plane_count(d) > 0 ? w->setup_planes_step + products : 10;
   w->setup_interval_cycles = w->setup_latency_cycles = last + 1;
   w->setup_drop_cycles = 5;
-  // Edges multiply differences. Planes: numerators by the mantissa, gradients by offsets, which are
-  // differences; the reciprocal: UQ0.(k+2); all with a sign.
+  // Factors, all signed: edges multiply coordinate differences; planes multiply numerators by the
+  // mantissa, and gradients by offsets (coordinate differences); the reciprocal has UQ0.(k+2).
   w->setup_factor_a = w->setup_factor_b = w->edge_coeff;
   if (plane_count(d) == 0) return;
   const int wide_plane = w->plane + d.subpixel_bits;
@@ -119,8 +123,8 @@ constexpr void serial_setup_cycles(const Design& d, Widths* w) {
 }
 
 constexpr void setup_cycles(const Design& d, Widths* w) {
-  // The first plane takes the reciprocal 3 cycles after its start; the reciprocal starts in step 5.
-  // No plane can start before the differences that step 5 writes.
+  // The reciprocal starts in step 5, and the first plane needs it 3 cycles after its own start.
+  // Planes start in step 6 at the earliest: they need the differences that step 5 writes.
   const int reciprocal_ready = 5 + reciprocal_cycles(d) - 3;
   w->setup_planes_step = reciprocal_ready > 6 ? reciprocal_ready : 6;
   w->setup_drop_latency_cycles = 5;  // known in step 4
@@ -144,10 +148,11 @@ constexpr Widths widths(const Design& design) {
   // 2*span bits and a sign, one bit below the naive sum of two products. Every partial sum while
   // walking is itself an E, so nothing can overflow on the way.
   w.area2 = 2 * span + 1;
-  // Samples are a whole pixel apart: the low S bits of E - bias never change and carry no sign.
+  // Samples are whole pixels apart, so the low S bits of E - bias are the same at all of them and
+  // do not affect the sign.
   w.edge = w.area2 - d.subpixel_bits;
   // An edge that neither rejects nor accepts a tile of T has |E'| <= (T-1)(|a|+|b|) inside it.
-  // With perspective E itself is needed at each sample, so every edge keeps its width.
+  // With perspective E itself is needed at each sample, so edges are not narrowed.
   w.tile_edge =
       d.perspective ? w.edge : 1 + ceil_log2(2 * ((uint64_t{1} << d.tile_log2) - 1)) + span;
   w.area2_length = bit_length(2 * static_cast<uint64_t>(span));
@@ -166,27 +171,28 @@ constexpr Widths widths(const Design& design) {
   w.stamp_x = d.guard_bits - d.stamp_width_log2;
   w.stamp_y = d.guard_bits - d.stamp_height_log2;
   w.lanes = 1 << (d.stamp_width_log2 + d.stamp_height_log2);
-  // Full rate at the longest latency: request to response, and the cycles from the response to the
-  // accepted write (compare, write) with room for the slot to be reused.
+  // For one stamp a cycle at the greatest latency: the cycles from request to response, plus 8 for
+  // comparing, writing and reusing the slot.
   w.inflight_stamps = d.max_depth_latency_cycles + 8;
   w.bias_constant = d.depth_bits + 1;
   w.bias_magnitude = d.depth_bits + 3 + kBiasFactorFractionBits;
   w.depth_bias = d.depth_bits + 2 + kBiasFractionBits;
-  // An attribute has a fraction bit too, always 0: gradients are cut one bit short of their shift
-  // before they are rounded, and that shift may be 0.
+  // An attribute gets one fraction bit, always 0: the RTL truncates gradients one bit before the
+  // rounding position, so their shift must be at least 1.
   const int attr_fraction = 1;
   w.value = d.depth_test ? w.depth_in : d.attribute_bits + attr_fraction;
   w.value_fraction = d.depth_test ? kDepthInputFractionBits : attr_fraction;
   w.numerator = d.depth_test ? w.depth_numerator : w.attr_numerator + attr_fraction;
   w.plane = d.depth_test ? w.depth_plane : w.attr_plane;
   setup_cycles(d, &w);
-  // Affine: one stage for the lanes. With perspective E, its products, their alignment, the
-  // reciprocal of the sum, the weights, the attributes.
+  // Affine: one stage. Perspective: one stage each for E, products, alignment, weights and
+  // attributes, and the reciprocal of the sum.
   w.attribute_cycles = d.attributes == 0 ? 0 : d.perspective ? 5 + reciprocal_cycles(d) : 1;
   return w;
 }
 
-/// A design with its widths: what every unit takes. Its unused parameters are tamed.
+/// A design with its widths, as every unit takes it. The design is tamed(): unused parameters are
+/// clamped.
 struct Contract {
   Design design;
   Widths width;
@@ -194,7 +200,7 @@ struct Contract {
 
 constexpr Contract contract(const Design& design) { return {tamed(design), widths(design)}; }
 
-// The table of the default design, as in the documentation; a change here is a changed contract.
+// The widths of the default design, as documented: changing one changes the bits of the contract.
 inline constexpr Widths kHighTileWidths = widths(kHighTile);
 static_assert(kHighTileWidths.coord == 23 && kHighTileWidths.edge_coeff == 24);
 static_assert(kHighTileWidths.area2 == 47 && kHighTileWidths.edge == 39);

@@ -14,7 +14,7 @@
 namespace pineda::studies {
 namespace {
 
-constexpr char kAnswer = 'a';  // before the answer; before the message of an exception:
+constexpr char kAnswer = 'a';  // sent before an answer; before an exception's message:
 constexpr char kFailure = 'f';
 
 void send(int pipe, const char* bytes, size_t size) {
@@ -49,7 +49,7 @@ std::string receive_all(int pipe) {
   } catch (...) {
   }
   send(pipe, message.data(), message.size());
-  _exit(0);  // nothing of the parent's is flushed or closed twice
+  _exit(0);  // not exit(): the parent's inherited buffers and files stay untouched
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Work in a process of its own: SystemC elaborates once a process.
+// Runs work in a child process, since SystemC can elaborate only once per process.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace pineda::studies {
 
-/// Runs `work` in a forked process; it fills the `bytes` of *answer, which come back.
+/// Runs `work` in a forked process. The `bytes` that it writes to *answer are copied back.
 ///
 /// Errors   std::runtime_error with what `work` threw, or that the process ended without an answer.
 void fill_in_child(const std::function<void()>& work, void* answer, size_t bytes);

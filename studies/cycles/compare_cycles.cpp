@@ -21,7 +21,7 @@ namespace {
 
 using timing::Cycle;
 
-/// Listens when each triangle wrote last.
+/// Notes the cycle of each triangle's last write.
 class Retirement final : public timing::Listener {
  public:
   void depth(Cycle cycle, const spec::DepthWrite& write) override {
@@ -36,7 +36,7 @@ class Retirement final : public timing::Listener {
   RetireCycles retired_;
 };
 
-// Of this process, so that others on the machine cost nothing.
+// CPU time of this process, so that other processes do not disturb the measurement.
 double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -68,7 +68,7 @@ bool same(const core::FrameBuffer& a, const core::FrameBuffer& b) {
   return a.depth == b.depth && a.color == b.color;
 }
 
-/// The RTL as it is looked at, and as it is measured.
+/// The RTL under the listening bench, and the bare RTL whose speed is measured.
 struct Rtl {
   tb::RtlLibrary library;
   std::vector<std::unique_ptr<tb::BenchTop>> bare;
@@ -107,7 +107,7 @@ class Comparison {
   }
 
  private:
-  /// One for each side.
+  /// Called once for the model and once for the RTL: each has its own memory.
   std::shared_ptr<memory::MemoryTiming> timing() const {
     return memory::make_timing(options_.memory, rtl_.library.contract(),
                                options_.depth_latency_cycles);

@@ -1,4 +1,4 @@
-// Where the cycles of model and RTL part: the first triangle, the unit, the token.
+// Finds where the cycles of model and RTL first differ: triangle, unit and token.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace pineda::studies {
 
-/// By number of the triangle, the cycle of its last depth or colour write.
+/// The cycle of each triangle's last depth or colour write, by triangle number.
 class RetireCycles {
  public:
   void note(int64_t cycle, uint32_t triangle) {
@@ -27,39 +27,40 @@ class RetireCycles {
   std::vector<int64_t> cycles_;
 };
 
-/// A triangle that retires in two cycles; -1: it never does.
+/// A triangle that model and RTL retire in different cycles; -1: that side never retires it.
 struct RetireDifference {
   uint32_t triangle = 0;
   int64_t model = -1;
   int64_t rtl = -1;
 };
-/// The first by number, of RetireCycles::cycles() of both sides.
+/// The first such triangle by number, from RetireCycles::cycles() of both sides.
 std::optional<RetireDifference> first_retire_difference(const std::vector<int64_t>& model,
                                                         const std::vector<int64_t>& rtl);
 
-/// Where tokens leave a unit, down the pipeline.
+/// The boundaries behind each unit where tokens are compared, in pipeline order.
 enum class Boundary : uint8_t { kPrim, kStamp, kDepthWrite, kColorWrite };
 inline constexpr size_t kBoundaries = 4;
 /// "prim", "stamp", "depth write", "colour write".
 const char* boundary_name(Boundary boundary);
-/// The unit before it: "setup", "traversal", "interp_ztest".
+/// The unit whose output the boundary is: "setup", "traversal", "interp_ztest".
 const char* unit_before(Boundary boundary);
 
 template <class T>
 using ByBoundary = std::array<std::vector<T>, kBoundaries>;
 
-/// A token of one triangle that leaves its unit in two cycles; -1: it never does.
+/// A token of one triangle that leaves its unit in different cycles in model and RTL; -1: never.
 struct TokenDifference {
   Boundary boundary = Boundary::kPrim;
-  size_t index = 0;  // among the triangle's tokens there
+  size_t index = 0;  // among the triangle's tokens at this boundary
   int64_t model = -1;
   int64_t rtl = -1;
 
-  /// The earlier of the two: from here on the sides are not the same.
+  /// The earlier of the two cycles: from here on the two sides differ.
   int64_t cycle() const { return model < 0 || (rtl >= 0 && rtl < model) ? rtl : model; }
 };
-/// Of one triangle's tokens, by their cycles in order: the first difference in time, since a unit
-/// that is late holds up those before it later on. Of two in one cycle, the one up the pipeline.
+/// Finds the earliest difference, from the cycles of one triangle's tokens in order: a late unit
+/// holds up the units before it only later. If two boundaries differ first in the same cycle, the
+/// one further up the pipeline is returned.
 std::optional<TokenDifference> first_token_difference(const ByBoundary<int64_t>& model,
                                                       const ByBoundary<int64_t>& rtl);
 
@@ -67,10 +68,10 @@ struct Token {
   int64_t cycle = 0;
   uint32_t triangle = 0;
 };
-/// Of tokens in order, the two before `cycle` and three from there on.
+/// The last two tokens before `cycle` and the first three from there on; `tokens` are in order.
 std::vector<Token> tokens_around(const std::vector<Token>& tokens, int64_t cycle);
 
-/// Listens to the model or to a bench; see(boundary, token) hears of every token.
+/// A listener for the model or a bench; calls see(boundary, token) for every token.
 class TokenListener : public timing::Listener {
  public:
   using See = std::function<void(Boundary, const Token&)>;

@@ -14,7 +14,7 @@ constexpr uint64_t kLongestWindow = 256;
 constexpr uint64_t kShortestWindow = 64;
 constexpr uint64_t kFewestWindows = 30;
 
-// Numbers of triangles, `end` excluded.
+// A block of triangles, by number; `end` is excluded.
 struct Block {
   uint64_t begin;
   uint64_t end;
@@ -26,7 +26,7 @@ class Blocks {
   Blocks(const SamplePlan& plan, uint64_t seed)
       : plan_(plan), blocks_(plan.triangles / plan.window), random_(seed) {}
 
-  /// The block drawn of the next stratum.
+  /// Draws a random block from the next stratum.
   std::optional<Block> next() {
     if (stratum_ == plan_.windows) return std::nullopt;
     const uint64_t from = first_block(stratum_);
@@ -45,7 +45,8 @@ class Blocks {
   uint64_t stratum_ = 0;
 };
 
-/// Pulls warm-ups and windows, and notes by how much the windows put off the end.
+/// Feeds warm-ups and windows to the model, and measures by how many cycles each window delays the
+/// cycle in which the pipeline is empty.
 class Sampler {
  public:
   Sampler(const timing::RasterTop& top, scene::SnappedSource* source, const SamplePlan& plan,
@@ -71,9 +72,10 @@ class Sampler {
     return false;
   }
 
-  /// Until the first triangle has left the pipeline, which fills it: in no window.
+  /// The cycle in which the first triangle has left the pipeline. The cycles until then fill the
+  /// pipeline and belong to no window.
   timing::Cycle started() const { return started_; }
-  /// Until all have.
+  /// The cycle in which all triangles have left the pipeline.
   timing::Cycle ended() const { return ended_; }
   uint64_t simulated() const { return simulated_; }
   const std::vector<SampledWindow>& windows() const { return windows_; }
@@ -89,7 +91,8 @@ class Sampler {
     block_ = blocks_.next();
   }
 
-  // Pieces of a triangle share its number, dropped triangles leave a gap.
+  // Reads up to triangle `number`. Clipped pieces of a triangle share its number; dropped triangles
+  // leave gaps.
   void read_from(uint64_t number) {
     while (number_ < number) {
       if (number_ + 1 < number) source_.skip(number - number_ - 1);
@@ -105,8 +108,8 @@ class Sampler {
   timing::Cycle started_ = 0;
   timing::Cycle ended_ = 0;
   std::optional<timing::Cycle> begun_;  // the cycle in which the window begins
-  spec::Triangle next_;                 // read and not handed over
-  uint64_t number_ = 0;                 // its number; at the end that of triangles
+  spec::Triangle next_;                 // read ahead, not yet handed over
+  uint64_t number_ = 0;                 // number of next_; at the end, the number of triangles
   uint64_t simulated_ = 0;
   std::vector<SampledWindow> windows_;
 };
@@ -115,7 +118,7 @@ double cycles_a_triangle(const SampledWindow& window) {
   return static_cast<double>(window.cycles) / static_cast<double>(window.triangles);
 }
 
-// Moments of cycles a triangle within a stratum, the third one about the mean.
+// Variance and skewness of the cycles per triangle within a stratum.
 struct Moments {
   double variance = 0;
   double skewness = 0;
@@ -159,7 +162,7 @@ std::optional<SamplePlan> plan_sample(uint64_t triangles, double share) {
   return plan;
 }
 
-// Cornish and Fisher's expansion about the normal distribution's point.
+// Cornish-Fisher expansion around the quantile of the normal distribution.
 double student_t_95(double degrees) {
   constexpr double z = 1.959963985;
   const double z3 = z * z * z;

@@ -19,14 +19,14 @@ double seconds_of(Call&& call) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// A subject at work: what draws it, how it is scored, how it is timed.
+/// A subject during the study: how it is drawn, scored and timed.
 class Contestant {
  public:
   virtual ~Contestant() = default;
   virtual void score(const spec::Triangle& triangle, const judge::ScreenTruth& truth) = 0;
-  /// After all triangles, for those that are judged by their frame.
+  /// Called after all triangles; for subjects that are judged by their frame.
   virtual void score_frame(const std::vector<SceneTriangle>&, const judge::VisibleFrame&) {}
-  /// Seconds of a frame from its clear on. Memories exist only while it runs.
+  /// Seconds to draw a frame, its clear included. Memories are allocated only for the call.
   virtual double frame_seconds(const std::vector<SceneTriangle>& triangles) = 0;
 
   virtual Subject& subject() = 0;
@@ -55,7 +55,7 @@ class DesignContestant final : public Contestant {
   DesignScorer scorer_;
 };
 
-/// Writes a baseline's samples into memories, with the depth test or, for a painter, without.
+/// Writes a baseline's samples into memories: with the depth test or, for the painter, without it.
 struct FrameSink final : baseline::Sink {
   FrameSink(judge::VisibleFrame* memory, bool tests) : to(memory), test(tests) {}
   void sample(const baseline::Sample& s) override {
@@ -69,7 +69,7 @@ struct FrameSink final : baseline::Sink {
   bool test;
 };
 
-/// What a baseline interpolates of a design's input.
+/// The design with all that a baseline interpolates: depth and every channel, all affine.
 spec::Design all_affine(spec::Design design) {
   design.attributes = spec::channels(design);
   design.flat_attributes = 0;
@@ -172,8 +172,8 @@ Contestants contestants(const spec::FrameState& frame, const ErrorOptions& optio
   return all;
 }
 
-// Three rounds of all in turn, so that what else the machine does hits all alike; one round where
-// that takes long.
+// Three rounds over all subjects, so that other load on the machine affects all of them alike; one
+// round where a round takes long.
 constexpr int kRuns = 3;
 constexpr double kLongRoundSeconds = 10;
 

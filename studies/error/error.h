@@ -1,4 +1,5 @@
-// Speed against error: every design point and every baseline on one scene, before the exact judge.
+// Speed and error of every design point and every baseline on one scene, judged by exact
+// arithmetic.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +15,13 @@
 
 namespace pineda::studies {
 
-/// A triangle as the scene states it, for the judge, and snapped, for what is judged.
+/// A triangle as the scene's floats, which the judge takes, and snapped, which the subjects draw.
 struct SceneTriangle {
   exact::ScreenTriangle screen;
   spec::Triangle snapped;
 };
 
-/// What a scene may have at most, so that time and memory stay bounded: some minutes, 2 GB.
+/// Limits on a scene, so that a study takes some minutes and 2 GB at most.
 struct ErrorLimits {
   int64_t pixels = int64_t{1} << 22;     // of the frame
   int64_t triangles = int64_t{1} << 20;  // that are not dropped
@@ -34,26 +35,27 @@ struct ErrorMap {
   std::vector<uint8_t> coverage;  // bit 0: a sample missing, bit 1: one too many
 };
 
-/// One design or baseline. Values are judged at samples that it rightly covers, hidden ones
-/// included; colour as affine interpolation of the snapped vertices, of a design with perspective
-/// as corrected by it, and a flat attribute as the first vertex's.
+/// One design or baseline. Values are judged at the samples that it covers and should cover, hidden
+/// ones included. Colours are compared with affine interpolation of the snapped vertices, in a
+/// design with perspective with perspective-correct interpolation, and a flat attribute with the
+/// first vertex's.
 struct Subject {
   std::string name;
   std::string summary;
   bool is_design = false;
-  bool judged_by_frame = false;  // painter: the visible samples of its finished frame only
+  bool judged_by_frame = false;  // painter: only the visible samples of its finished frame
 
-  uint64_t judged = 0;                      // samples that both cover
-  uint64_t missing = 0;                     // exact covers, it does not
-  uint64_t extra = 0;                       // it covers, exact does not; a second time counts too
+  uint64_t judged = 0;                      // samples that it and exact arithmetic cover
+  uint64_t missing = 0;                     // covered by exact arithmetic, but not by it
+  uint64_t extra = 0;                       // covered by it, not by exact arithmetic, or repeatedly
   Distribution depth;                       // ulp; nothing without depth
   Distribution color;                       // LSB, four values a sample
   std::optional<spec::ErrorBounds> bounds;  // what a design promises
   ErrorMap map;                             // empty unless asked for
 
   double seconds = 0;             // of a frame in memory, median of ErrorStudy::runs
-  std::optional<double> cycles;   // of the whole frame: the cycle model's
-  std::optional<double> visited;  // baselines: pixels their loops look at; cycles at one a clock
+  std::optional<double> cycles;   // of the whole frame, by the cycle model
+  std::optional<double> visited;  // baselines: pixels that their loops visit, taken as one a clock
 
   bool holds() const;
 };
@@ -63,7 +65,7 @@ struct ErrorStudy {
   int height = 0;
   uint64_t triangles = 0;  // judged
   uint64_t samples = 0;    // covered by exact arithmetic, hidden ones included
-  int runs = 0;            // timed, of every subject in turn
+  int runs = 0;            // how often each subject was timed, taking turns
   /// Largest distance of affine from perspective-correct colours, LSB; 0 where all w are equal.
   double affine_lsb = 0;
   std::vector<Subject> subjects;  // designs first, in their order
@@ -72,21 +74,21 @@ struct ErrorStudy {
 };
 
 struct ErrorOptions {
-  std::vector<spec::Design> designs;  // of the same formats at their input
+  std::vector<spec::Design> designs;  // all with the same input formats
   bool baselines = true;
   bool maps = false;
-  /// Called now and then with what is being done and how much of it; may be empty.
+  /// Reports the current step and how far it is; may be empty.
   std::function<void(const char* what, uint64_t done)> progress;
 };
 
-/// Do two designs take a scene the same way: coordinates, depth, attributes?
+/// Do two designs have the same input formats: coordinates, depth, attributes, 1/w?
 bool same_formats(const spec::Design& a, const spec::Design& b);
 
 /// Samples that exact arithmetic covers, hidden ones included; stops counting beyond `limit`.
 int64_t count_samples(const std::vector<SceneTriangle>& triangles, const spec::FrameState& frame,
                       const spec::Design& design, int64_t limit);
 
-/// Judges and times everything but the designs' cycles, which it leaves empty.
+/// Judges and times all subjects; leaves Subject::cycles empty.
 ///
 /// In       triangles in the order of the scene, within the limits.
 /// Errors   std::invalid_argument for designs whose formats differ.

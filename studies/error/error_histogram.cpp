@@ -18,7 +18,7 @@ constexpr double kFootPx = 66;
 constexpr double kNameRightPx = 168;
 constexpr double kZeroPx = 16;  // the bar of exact values
 constexpr double kHairlinePx = 1.5;
-// Rounding alone makes a share of 2^-8 below 2^-9: nothing is lost in one bar for all of that.
+// Errors below 2^-9 share one bar: rounding alone makes a share of 2^-8 so small.
 constexpr int kLeastOctave = -9;
 constexpr int kFewestOctaves = 12;
 

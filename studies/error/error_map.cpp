@@ -18,7 +18,8 @@ constexpr Rgb kNothing{0, 0, 0};
 constexpr Rgb kMissing{0, 255, 255};
 constexpr Rgb kExtra{255, 0, 255};
 
-// Ever lighter, so that it can be read without its hues; a jump of hue where rounding ends.
+// Lightness grows throughout, so that the map can be read without hues. The hue jumps where errors
+// exceed those of final rounding.
 constexpr std::array<Stop, 7> kRamp{{{0, {10, 20, 56}},
                                      {kRoundingShare, {24, 62, 130}},
                                      {kRoundingShare, {142, 26, 112}},
@@ -81,7 +82,7 @@ std::string error_scale_svg(const ErrorScale& scale) {
   for (int i = 0; i < kSteps; ++i) {
     const double width = kStrip.width / kSteps;
     const std::string color = hex(ramp((i + .5) / kSteps));
-    // Each reaches under the next: no seams.
+    // Each rectangle extends under the next one, so that no seams show.
     svg.rectangle(
         {kStrip.left + i * width, kStrip.top, std::min(2, kSteps - i) * width, kStrip.height},
         {color.c_str()});

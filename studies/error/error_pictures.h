@@ -26,15 +26,16 @@ std::string speed_error_svg(const ErrorStudy& study, const std::string& scene,
 /// colour, with the 1/2 of the final rounding, the design's bound and the largest error.
 std::string histogram_svg(const ErrorStudy& study);
 
-/// The colours of error maps, the same for all subjects of a study. Up to the 1/2 that the final
-/// rounding alone may make: blues. Beyond it, by the logarithm, from purple to a light yellow.
+/// The colours of error maps, the same for all subjects of a study. Errors up to 1/2, which the
+/// final rounding alone can make, are blue. Greater ones run from purple to a light yellow on a
+/// logarithmic scale.
 class ErrorScale {
  public:
   ErrorScale(const ErrorStudy& study, Quantity quantity);
 
-  /// 0 to 1 along the ramp; errors beyond the greatest of the study are on its end.
+  /// Place on the ramp, 0 to 1; errors beyond greatest() get its end.
   double at(double error) const;
-  /// The greatest that the ramp tells apart: a power of ten, 10 at least.
+  /// The greatest error that the ramp distinguishes: a power of ten, 10 at least.
   double greatest() const { return greatest_; }
   Quantity quantity() const { return quantity_; }
 

@@ -101,7 +101,7 @@ class Plot {
       }
     }
     std::vector<double> paces;
-    std::vector<double> errors{.5};  // the line of rounding is always there
+    std::vector<double> errors{.5};  // the line of final rounding, 1/2, is always shown
     for (const Dot& dot : dots_) {
       paces.push_back(dot.pace);
       errors.push_back(dot.error);
@@ -120,7 +120,7 @@ class Plot {
   void draw_titles(std::string scene) {
     if (scene.size() > kLongestScene) {
       size_t at = scene.size() - kLongestScene;
-      while (at < scene.size() && (scene[at] & 0xc0) == 0x80) ++at;  // not inside a character
+      while (at < scene.size() && (scene[at] & 0xc0) == 0x80) ++at;  // not inside a UTF-8 character
       scene = "..." + scene.substr(at);
     }
     svg_.text({kField.left, 28}, words_.title + ": " + scene, {18, kInk, Anchor::kStart, true});
@@ -191,7 +191,7 @@ class Plot {
            dot.remark.empty() ? kNamePx + 2 : kNamePx + kRemarkPx + 3});
     }
     const auto boxes = place_labels(labels, kField, kMarkerPx + 2.5);
-    for (size_t i = dots_.size(); i-- > 0;) {  // designs above baselines
+    for (size_t i = dots_.size(); i-- > 0;) {  // backwards: designs are drawn over baselines
       const Subject& s = *dots_[i].subject;
       draw_marker(&svg_, labels[i].at, s.is_design, s.missing + s.extra != 0);
     }
@@ -210,7 +210,8 @@ class Plot {
     svg_.text({kField.left, kHeightPx - 12}, note, {11, kGrey});
   }
 
-  // Where markers lie on one another it goes on to the centre of its own.
+  // Draws the line from a label to its marker. Where markers overlap, it ends at the marker's
+  // centre.
   void draw_leader(const std::vector<Label>& labels, size_t i, const Box& box) {
     const Point at = labels[i].at;
     const Point end = nearest_point(box, at);
@@ -226,7 +227,7 @@ class Plot {
     if (crowded) svg_.circle(at, 1.6, {kInk});
   }
 
-  // The text stands on the side of the box that is towards its point.
+  // The text is aligned to the side of the box that faces its point.
   void draw_label(const Dot& dot, Point at, const Box& box) {
     const char* color = dot.subject->is_design ? kDesignColor : kBaselineColor;
     TextStyle name{kNamePx, color, Anchor::kMiddle, dot.subject->is_design, false, true};

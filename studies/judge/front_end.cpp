@@ -9,7 +9,7 @@ namespace pineda::studies {
 MeshJudgement judge_front_end(const scene::ClipMesh& mesh, const spec::FrameState& frame,
                               const std::vector<SceneTriangle>& pieces,
                               const spec::Design& design) {
-  spec::Design exact = design;  // as far as a judge looks at it
+  spec::Design exact = design;  // the judge always takes perspective-correct colours
   exact.perspective = true;
   MeshJudge mesh_judge(mesh, spec::contract(exact), frame);
   const auto channels = std::min<size_t>(static_cast<size_t>(spec::channels(design)), 4);

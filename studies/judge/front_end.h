@@ -1,4 +1,4 @@
-// What clipping, projection and the readers made of a mesh, before any design has drawn it.
+// Judges what the readers, clipping and projection made of a mesh, before any design draws it.
 #pragma once
 
 #include "model/scene/scene.h"
@@ -7,8 +7,8 @@
 
 namespace pineda::studies {
 
-/// Judges the exact samples of a mesh's pieces, all of them in their order, snapped as `design`
-/// snaps; colours with perspective.
+/// Judges the exact samples of all pieces of a mesh, in the order of the pieces, which are snapped
+/// as `design` snaps them; colours are perspective-correct.
 MeshJudgement judge_front_end(const scene::ClipMesh& mesh, const spec::FrameState& frame,
                               const std::vector<SceneTriangle>& pieces, const spec::Design& design);
 

@@ -14,7 +14,7 @@ namespace {
 using Corners = std::array<uint32_t, 3>;
 using List = scene::MeshPolygon;
 
-// Of the triangles of a strip or a fan; the first corner is the provoking one.
+// The corners of a triangle of a strip or a fan; the first one is the provoking vertex.
 Corners listed(const std::vector<uint32_t>& corner, const List& list, uint32_t triangle) {
   const uint32_t i = triangle - list.first_triangle;
   const auto at = [&](uint32_t k) { return corner[list.first_corner + k]; };
@@ -30,7 +30,7 @@ exact::MeshFrame mesh_frame(const scene::ClipMesh& mesh, const spec::Design& des
   const exact::Frame state = judge::exact_frame(frame);
   exact::MeshFrame result{frame.width, frame.height, state.cull,     state.x0,       state.y0,
                           state.x1,    state.y1,     mesh.depth.low, mesh.depth.high};
-  // Half a subpixel, and a unit of a binary32 at the guard band's border.
+  // Half a subpixel, plus one unit of a binary32 at the guard band's border.
   constexpr int kUnits = exact::MeshFrame::kBandFractionBits;
   result.band = (1 << (kUnits - design.subpixel_bits - 1)) +
                 (1 << std::max(0, kUnits + design.guard_bits - 24));
@@ -46,10 +46,10 @@ exact::ClipCorner clip_corner(const scene::ClipVertex& v) {
 struct MeshJudge::Face {
   uint32_t first = 0, end = 0;  // triangles
   bool drawable = true;
-  const List* list = nullptr;  // what it, or its triangle, comes from
+  const List* list = nullptr;  // the polygon, strip or fan that it comes from
   std::vector<exact::ClipCorner> corner;
-  int moved = 0;         // on the way into a plane, in units of a band
-  bool is_bent = false;  // the first triangle of a polygon that has no plane
+  int moved = 0;         // how far corners moved into the polygon's plane, in units of a band
+  bool is_bent = false;  // the first triangle of a polygon that is not planar
 
   uint64_t most_hits() const { return end - first; }
 };
@@ -75,7 +75,7 @@ MeshJudgement MeshJudge::finish() {
   return judgement_;
 }
 
-// Judges the faces that end before a triangle, or with it.
+// Judges all faces that end before `triangle`.
 void MeshJudge::judge_until(uint32_t triangle) {
   while (next_ < triangle) {
     const Face face = face_at(next_);
@@ -85,7 +85,7 @@ void MeshJudge::judge_until(uint32_t triangle) {
   }
 }
 
-// The face that begins with a triangle.
+// The face whose first triangle is `triangle`.
 MeshJudge::Face MeshJudge::face_at(uint32_t triangle) {
   while (list_ < mesh_.polygon.size() &&
          mesh_.polygon[list_].first_triangle + mesh_.polygon[list_].triangles <= triangle) {
@@ -106,7 +106,8 @@ MeshJudge::Face MeshJudge::face_at(uint32_t triangle) {
   return face;
 }
 
-// All of the polygon whose first triangle it is, if that is near enough to a plane.
+// Extends the face to the whole polygon that begins with this triangle, if all of the polygon is
+// drawable and near enough to a plane.
 void MeshJudge::take_polygon(Face* face) {
   const uint32_t end = face->first + face->list->triangles;
 
@@ -126,7 +127,7 @@ void MeshJudge::take_polygon(Face* face) {
       static_cast<int>(std::ceil(std::ldexp(flat.moved_px, exact::MeshFrame::kBandFractionBits)));
 }
 
-// Of one of its triangles; the first of a strip's or a fan's is the provoking one.
+// The corners of a triangle of the face; in strips and fans the first one is the provoking vertex.
 Corners MeshJudge::corners_of(const Face& face, uint32_t triangle) const {
   const bool is_listed = face.list != nullptr && face.list->kind != List::Kind::kPolygon;
   return is_listed ? listed(mesh_.corner, *face.list, triangle) : mesh_.triangle[triangle];
@@ -145,7 +146,7 @@ void MeshJudge::judge(const Face& face) {
     while (next < hits_.size() && hits_[next].y == y && hits_[next].x == x) ++next;
     if (begin != next || expected > 0) judge_samples(face, {x, y}, begin, next, expected);
   };
-  // Hits before a place in reading order: where there must be none.
+  // Judges the hits before (y, x) in reading order, where none is expected.
   const auto none_before = [&](int y, int x) {
     while (next < hits_.size() && std::tie(hits_[next].y, hits_[next].x) < std::tie(y, x)) {
       samples_at(hits_[next].y, hits_[next].x, 0);
@@ -187,7 +188,7 @@ void MeshJudge::judge_samples(const Face& face, Sample at, size_t begin, size_t 
   }
 }
 
-// In the band of an edge of one of the triangles that a polygon was cut into.
+// Is the sample in the band of an edge of one of the triangles that the polygon was cut into?
 bool MeshJudge::is_near_diagonal(const Face& face, Sample at) const {
   exact::MeshFrame frame = exact_frame_;
   frame.band += face.moved;
@@ -213,7 +214,7 @@ void MeshJudge::note(Sample at, uint32_t triangle, const std::string& what) {
   if (judgement_.wrong++ == 0) judgement_.first = {at.x, at.y, triangle, what};
 }
 
-// Empty if nothing is wrong.
+// What is wrong with a hit's depth or colour; empty if nothing is.
 std::string MeshJudge::wrong_value(const Face& face, const MeshHit& hit) const {
   const spec::Design& d = contract_.design;
   const bool is_listed = face.list != nullptr && face.list->kind != List::Kind::kPolygon;
@@ -231,7 +232,7 @@ std::string MeshJudge::wrong_value(const Face& face, const MeshHit& hit) const {
       return std::clamp(biased, 0., greatest);
     };
     const exact::Range range = values.depth(hit.x, hit.y);
-    // A corner's depth is a binary32 number, below 1 within 2^-25.
+    // A corner's depth is a binary32 number: below 1 its rounding is at most 2^-25.
     const double bound = bounds_.depth_ulp + std::ldexp(greatest, -25);
     const double low = code(range.low) - bound, high = code(range.high) + bound;
     if (!(hit.z >= low && hit.z <= high)) {

@@ -1,5 +1,5 @@
-// A mesh's picture before the exact judge: hits, depths and colours from the corners in clip space,
-// whatever the readers' triangles, clipping and snapping made of them.
+// Judges the picture of a mesh: hits, depths and colours must follow from the file's corners in
+// clip space, whatever triangles readers, clipping and snapping made of them.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct MeshJudgement {
   uint64_t faces = 0;    // judged
   uint64_t bent = 0;     // polygons so far from a plane that they were judged by their triangles
   uint64_t samples = 0;  // hits judged
-  uint64_t banded = 0;   // of these in an edge's band, where there may be a hit or not
+  uint64_t banded = 0;   // of these, in the band of an edge, where a hit is allowed, not required
   uint64_t wrong = 0;    // samples of faces: too many hits, too few, a wrong value
 
   std::optional<judge::Difference> first;  // by face, then by row: "hits: 1, expected 0"
@@ -25,7 +25,7 @@ struct MeshJudgement {
   bool holds() const { return wrong == 0; }
 };
 
-/// What is drawn of one triangle at one sample, visible or not.
+/// A fragment: one triangle drawn at one sample, visible or not.
 struct MeshHit {
   int x = 0, y = 0;       // px
   uint32_t triangle = 0;  // its number
@@ -33,18 +33,18 @@ struct MeshHit {
   std::array<int32_t, 4> color{};
 };
 
-/// Judges the samples of a mesh face by face. A face is what the file states: a polygon in a plane
-/// is judged by its own corners, any other triangle by triangle; the triangles of strips and fans
-/// follow from the file's corners.
+/// Judges the samples of a mesh face by face. A face is what the file states: a polygon that lies
+/// in a plane is judged as a whole by its corners, any other one triangle by triangle. Triangles of
+/// strips and fans are formed from the file's corners.
 ///
-/// Bits     a corner may be moved by half a subpixel and a binary32 rounding at the guard band;
-///          that of a polygon that is not quite plane also by its way into the plane, up to
-///          kBentPx. Hits must be right in number outside of the bands that this gives the edges
-///          (and the diagonals along which a polygon was cut, where snapping may turn a triangle
-///          over), and nowhere more than one of a triangle. A depth must lie within the design's
-///          bound, and the rounding of a corner's binary32, of those that the triangle has so near
-///          to the sample; a colour within the design's bound and the rounding of the corners'
-///          colours; a flat one must be the provoking vertex's.
+/// Bits     a corner may move by half a subpixel plus a binary32 rounding at the guard band; a
+///          corner of a polygon that is not quite planar also by its distance to the plane, up to
+///          kBentPx. This gives each edge a band (and each diagonal along which a polygon was cut,
+///          where snapping may turn a triangle over). Outside of the bands the number of hits must
+///          be right; inside, each triangle may hit once at most. A depth must lie within the
+///          design's bound, plus the rounding of a corner's binary32, of those that the triangle
+///          has within the band around the sample; a colour within the design's bound plus the
+///          rounding of the corners' colours; a flat colour must be the provoking vertex's.
 /// In       memory: 32 bytes a hit of the largest face.
 /// Drops    depths under a depth bias with a slope; colours of a triangle in perspective where the
 ///          design interpolates affinely: not judged here.
@@ -55,9 +55,9 @@ class MeshJudge {
   MeshJudge(const scene::ClipMesh& mesh, const spec::Contract& contract,
             const spec::FrameState& frame);
 
-  /// In order of the triangles' numbers.
+  /// Takes the hits in the order of triangle numbers.
   void hit(const MeshHit& hit);
-  /// Judges what is left, faces without a hit too.
+  /// Judges the remaining faces, those without a hit, too.
   MeshJudgement finish();
 
  private:
@@ -85,7 +85,7 @@ class MeshJudge {
   exact::MeshFrame exact_frame_;
   spec::ErrorBounds bounds_;
   uint32_t next_ = 0;          // the first triangle that is not judged yet
-  size_t list_ = 0;            // the polygon, strip or fan that it is of, or the next one
+  size_t list_ = 0;            // the polygon, strip or fan of next_, or the one after it
   std::vector<MeshHit> hits_;  // of the face that is being drawn
   std::vector<int8_t> expected_;
   MeshJudgement judgement_;

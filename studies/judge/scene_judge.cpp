@@ -9,7 +9,7 @@
 namespace pineda::studies {
 namespace {
 
-/// All colours count, as if with perspective: what a design makes flat too.
+/// All colours, taken as perspective-correct, also those that the design makes flat.
 judge::Values colors_of(const spec::Design& design) {
   const int colors = std::min(spec::channels(design), 4);
   return {design.depth_test, colors, colors, true};
@@ -102,7 +102,7 @@ SceneJudgement judge_scene(const scene::Scene& scene, const spec::Design& design
   SceneDrawing drawing(contract, scene.frame, options.limits, &cache, &judgement);
   exact::Format format = judge::format_of(design);
   format.guard_bits = guard_bits;
-  format.attributes = std::min(spec::channels(design), 4);  // what the design makes flat may vary
+  format.attributes = std::min(spec::channels(design), 4);  // also those that the design makes flat
   cache.start(format);
   for_each_judged(scene, contract, format,
                   [&](const spec::Triangle& triangle, const exact::ScreenJudge& judge) {

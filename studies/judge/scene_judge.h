@@ -1,5 +1,5 @@
-// One design on one scene before the exact judge: every sample's coverage and values, and what is
-// seen in the end.
+// Judges one design on one scene by exact arithmetic: the coverage and values of every sample, and
+// which triangle is visible in the end.
 #pragma once
 
 #include <cstdint>
@@ -30,13 +30,13 @@ struct SceneJudgement : judge::Verdict {
 
 struct SceneJudgeOptions {
   SceneLimits limits;
-  bool stop_early = false;  // where a limit is broken
+  bool stop_early = false;  // at the first limit that is broken
   std::function<void(uint64_t triangles)> progress;
 };
 
-/// Draws the scene with `design` in bounded memory. `guard_bits`: of the design that the scene was
-/// opened for, whose positions are the true ones. `truths`: what is known of this scene from
-/// designs before, of as many channels; or nullptr.
+/// Draws the scene with `design` in bounded memory. `guard_bits`: those of the design that the
+/// scene was opened for; that design's positions are taken as true. `truths`: keeps exact samples
+/// of this scene for further designs with as many channels; or nullptr.
 SceneJudgement judge_scene(const scene::Scene& scene, const spec::Design& design, int guard_bits,
                            const Winners& winners, const SceneJudgeOptions& options,
                            TruthCache* truths = nullptr);

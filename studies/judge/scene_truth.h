@@ -1,4 +1,4 @@
-// A scene's triangles beside what exact arithmetic says of them, one by one, in bounded memory.
+// Visits a scene's triangles one by one, each with its exact judge, in bounded memory.
 #pragma once
 
 #include <memory>
@@ -26,15 +26,15 @@ void for_each_judged(const scene::Scene& scene, const spec::Contract& contract,
   }
 }
 
-/// The truth of triangles that are judged again and again, as far as memory allows.
+/// Keeps the exact samples of triangles that are judged repeatedly, as far as memory allows.
 class TruthCache {
  public:
-  /// Bounded by the samples that it keeps, 224 bytes each.
+  /// Keeps this many samples at most, 224 bytes each.
   explicit TruthCache(size_t most_samples = size_t{1} << 20) : most_samples_(most_samples) {}
 
-  /// Before each pass over the scene. What is kept was judged in the same format.
+  /// Call before each pass over the scene. Forgets samples of another depth format.
   void start(const exact::Format& format);
-  /// Of the triangle of this number in the scene in these of its rows, until the next call.
+  /// The exact samples of triangle `number` in these rows; valid until the next call.
   const judge::ScreenTruth& truth(size_t number, const exact::ScreenJudge& judge, exact::Span rows);
 
  private:
@@ -45,8 +45,9 @@ class TruthCache {
   judge::ScreenTruth other_;
 };
 
-/// Calls visit(rows) for bands of a triangle's rows, each of whole rows of tiles and with a bounded
-/// number of samples. The first and the last one go on to the frame's border.
+/// Calls visit(first, last, rows) for bands of a triangle: tile rows `first` to `last`, and the
+/// triangle's rows of samples in them. A band has a bounded number of samples. The first and the
+/// last band extend to the frame's border.
 template <class Visitor>
 void for_each_band(const exact::ScreenJudge& judge, int width_px, int tile_log2, Visitor&& visit) {
   constexpr int kSamples = 1 << 18;

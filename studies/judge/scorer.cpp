@@ -107,7 +107,7 @@ DesignScorer::DesignScorer(const spec::Design& design, const spec::FrameState& f
 }
 
 void DesignScorer::score(const spec::Triangle& triangle, const judge::ScreenTruth& truth) {
-  // The bound of the triangle that a depth bias makes least certain.
+  // A depth bias widens the bound by the triangle's slope: the widest one is reported.
   const auto bounds = judge::triangle_bounds(contract_.design, frame_, truth.depth_slope());
   subject_.bounds->depth_ulp = std::max(subject_.bounds->depth_ulp, bounds.depth_ulp);
   scorer_.begin(truth);

@@ -8,7 +8,7 @@
 
 namespace pineda::studies {
 
-/// What a subject makes of each triangle goes in between begin() and end().
+/// For each triangle: begin(), then the samples that the subject draws, then end().
 class Scorer final : public baseline::Sink {
  public:
   /// `design` says which values there are, and how they are interpolated.
@@ -21,8 +21,8 @@ class Scorer final : public baseline::Sink {
   void sample(const baseline::Sample& sample) override;
   void end();
 
-  /// Instead of triangles: every pixel of the frame that the subject left, against the frame that
-  /// the nearest codes leave.
+  /// Instead of triangles: scores every pixel of the subject's finished frame against the frame
+  /// that correctly rounded codes leave.
   void frame(const judge::VisibleFrame& truth, const judge::VisibleFrame& got);
 
  private:

@@ -8,9 +8,10 @@ namespace {
 using spec::Design;
 using spec::Widths;
 
-constexpr int64_t kRomShare = 8;  // bits of ROM or of a memory that count as one
+constexpr int64_t kRomShare = 8;  // bits of ROM or memory that count as one bit of logic
 
-/// Two products of differences a numerator, the gradients, the way from the anchor.
+/// Products of a plane: two for each of two numerators, one for each gradient, and one for each
+/// offset from the anchor.
 int64_t plane_bits(const Design& d, const Widths& w, int64_t in, int64_t numerator, int64_t bits) {
   return 4 * (in + 1) * w.edge_coeff + 2 * numerator * d.reciprocal_bits +
          2 * (bits + d.subpixel_bits) * w.edge_coeff;
@@ -34,7 +35,7 @@ int64_t reciprocal_bits(const Design& d, const Widths& w) {
 int64_t interpolation_bits(const Design& d, const Widths& w) {
   int64_t lane = d.depth_test ? 2 * w.depth_tile_plane : 0;
   if (d.perspective) {
-    // E/w of three vertices, two weights, two products an attribute.
+    // E/w of three vertices, two weights, two products for each attribute.
     lane += int64_t{3} * w.area2 * d.inverse_w_bits +
             int64_t{2} * spec::kWeightProductBits * d.reciprocal_bits +
             int64_t{2} * d.attributes * spec::kWeightFractionBits * (d.attribute_bits + 1);

@@ -10,7 +10,7 @@ namespace pineda::studies {
 /// Bits of partial products, adders and registers, each counted as one; a bit of ROM or of a memory
 /// as an eighth.
 /// Setup counts as if every product had its own multiplier, whatever the style. Traversal is left
-/// out: its adders are those of the edges, which the buffers hold.
+/// out: its adders are as wide as the edges, which count as part of the buffered tokens.
 struct DesignCost {
   int64_t setup = 0;          // area, edges, planes
   int64_t reciprocal = 0;     // products, subtractors and ROM; with perspective one a lane

@@ -83,7 +83,7 @@ void Search::start() {
   }
   needs_.limits.other_winner = needs_.of_start.other_winner;
   needs_.found = needs_.of_start.holds(needs_.limits);
-  judged_.clear();  // by other limits
+  judged_.clear();  // these were judged with other limits
 }
 
 /// The designs with smaller values of a parameter that are cheaper and possible.
@@ -97,20 +97,20 @@ std::vector<Design> Search::smaller(const ShrinkableParameter& parameter, const 
   return all;
 }
 
-/// The least value that holds, where larger ones hold too; `design` holds.
+/// Bisects for the least value that holds, given that all larger ones hold; `design` holds.
 Design Search::least(const ShrinkableParameter& parameter, const Design& design) {
   std::vector<Design> chain = smaller(parameter, design);
   chain.insert(chain.begin(), design);
   size_t holding = 0;
   size_t failing = chain.size();
-  // A flag or a parameter that cannot shrink is the rule: its next value first.
+  // Tries the next smaller value first: most parameters are flags or cannot shrink.
   for (size_t middle = 1; holding + 1 < failing; middle = (holding + failing) / 2) {
     (holds(chain[middle]) ? holding : failing) = middle;
   }
   return chain[holding];
 }
 
-/// Steps on until no parameter can be made smaller alone.
+/// Shrinks parameters one at a time until none can be made smaller alone.
 Design Search::closed(Design design) {
   for (bool moved = true; moved;) {
     moved = false;
@@ -162,7 +162,7 @@ Needs Search::run() {
          {"guard_bits", "depth_test", "attributes", "perspective", "depth_bits"}) {
       d = least(shrinkable_parameter(name), d);
     }
-    // What the reciprocal leaves of the error the fractions may take, or the other way round.
+    // Reciprocal and fractions share one error budget, so both orders of shrinking are tried.
     Design reciprocal_first = d;
     for (const char* name :
          {"reciprocal", "inverse_w_bits", "tile_fraction_bits", "gradient_fraction_bits"}) {

@@ -1,4 +1,4 @@
-// The smallest design that is right on a scene: model only what it needs.
+// Finds the smallest design that draws a scene right.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 namespace pineda::studies {
 
 struct NeedsOptions {
-  spec::Design base = spec::kHighTile;  // nothing gets larger than in this one, but perspective
+  spec::Design base = spec::kHighTile;  // no parameter exceeds it; perspective may be added
   double depth_ulp = 1;                 // in codes of the design's own depth
   double color_lsb = 1;
   std::function<void(uint64_t designs, uint64_t triangles)> progress;
@@ -19,19 +19,19 @@ struct NeedsOptions {
 
 /// One parameter that may shrink.
 struct Need {
-  std::string parameter;  // by its name in a design file; the reciprocal's four are one
+  std::string parameter;  // named as in a design file; the reciprocal's four count as one
   std::string base;       // value; "-" where the design does not use it
   std::string value;
-  int64_t saved_bits = 0;  // what putting it back to the base's would add to design_cost()
+  int64_t saved_bits = 0;  // what design_cost() would grow by with the base's value instead
   std::string next;        // the next smaller value, empty if there is none
-  std::string forbids;     // what it would break
+  std::string forbids;     // what the next value would break
 };
 
 struct Needs {
   SceneUse use;
-  SceneLimits limits;  // with as many other winners as the base has
-  // The base, with perspective if the scene's colours are out of the limit without it. If this one
-  // does not hold there is no answer.
+  SceneLimits limits;  // its other_winner is the base's
+  // The base, or the base with perspective if the scene's colours exceed the limit without it. If
+  // this design does not hold there is no answer.
   spec::Design start;
   SceneJudgement of_start;
   bool found = false;

@@ -10,12 +10,13 @@
 namespace pineda::studies {
 namespace {
 
-/// With 8 bits below, a float's 24 are in there to 2^-41. A depth bias is in codes of its design.
+/// Depth bits that hold a float's depth nearly exactly: with 8 fraction bits, to 2^-41. With a
+/// depth bias the base's own bits, since the bias is in its codes.
 int exact_depth_bits(const spec::Design& base, const spec::FrameState& frame) {
   return frame.has_bias() ? base.depth_bits : 32;
 }
 
-/// A depth as the judge has it, which divides once: equal ones may differ by 2^-53 code.
+/// A depth from the judge, which divides once: equal depths may differ by 2^-53 code.
 struct Depth {
   int64_t whole;
   double fraction;
@@ -26,7 +27,7 @@ double difference(const Depth& a, const Depth& b) {
   return std::abs(codes) < kNone ? 0 : codes;
 }
 
-/// What depth is cleared to, in the judge's units of a vertex's z: a triangle that lies there is
+/// The cleared depth, rounded as the judge rounds a vertex's z, so that a triangle at that depth is
 /// equal to it.
 Depth cleared_depth(const spec::FrameState& frame, int depth_bits) {
   bool clamped = false;
@@ -35,7 +36,7 @@ Depth cleared_depth(const spec::FrameState& frame, int depth_bits) {
   return {units >> 8, static_cast<double>(units & 255) / 256};
 }
 
-/// Gathers what a scene uses, and draws it with exact depths.
+/// Collects what a scene uses while drawing it with exact depths.
 class Gatherer {
  public:
   Gatherer(const spec::Contract& base, const spec::FrameState& frame, SceneUse* use,
@@ -185,7 +186,7 @@ SceneUse scene_use(const scene::Scene& scene, const spec::Contract& base, Winner
   Gatherer gatherer(base, scene.frame, &use, winners);
   exact::Format format = judge::format_of(base.design);
   format.depth_bits = exact_depth_bits(base.design, scene.frame);
-  format.attributes = 0;  // colours matter by their vertices alone
+  format.attributes = 0;  // only the vertices' colours are looked at
   for_each_judged(scene, base, format, [&](const spec::Triangle& t, const exact::ScreenJudge& j) {
     gatherer.triangle(t, j, scene.source->screen());
     return true;

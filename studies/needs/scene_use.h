@@ -10,7 +10,7 @@
 
 namespace pineda::studies {
 
-/// A colour component over a whole scene. The greatest kind of any triangle counts.
+/// How a colour component varies over a scene: the greatest kind that any triangle shows.
 enum class Variation { kConstant, kFlat, kVaries };
 
 /// "constant everywhere", "constant in a triangle", "varying in a triangle".
@@ -22,14 +22,14 @@ struct SceneUse {
 
   // Of drawn triangles, snapped
   double x_low_px = 0, x_high_px = 0, y_low_px = 0, y_high_px = 0;
-  double widest_px = 0, tallest_px = 0, largest_area_px2 = 0;  // each of another triangle
-  double farthest_px = 0;  // greatest width + height: bounds a sample's way from the anchor
+  double widest_px = 0, tallest_px = 0, largest_area_px2 = 0;  // may be of different triangles
+  double farthest_px = 0;  // greatest width + height: bounds a sample's distance from the anchor
   int guard_bits = 0;      // the least that hold every position, dropped ones too, and the frame
 
   double depth_low = 1, depth_high = 0;  // of vertices, 0 to 1
-  // A depth test compares a new depth with the stored one. The least difference, but none, that one
-  // had to tell apart, as a part of the range of depth; 0 where nothing was compared. Differences
-  // below 2^-64 of the range count as none.
+  // The least nonzero difference between a new and a stored depth that a depth test compared, as a
+  // share of the depth range; 0 where nothing was compared. Differences below 2^-64 of the range
+  // count as zero.
   double least_gap = 0;
   uint64_t compared = 0;  // with a sample of another triangle
   uint64_t equal = 0;     // of those
@@ -53,9 +53,9 @@ struct SceneUse {
 /// scene is drawn, 0 for none.
 using Winners = std::vector<uint32_t>;
 
-/// One pass over the scene in exact arithmetic. `*winners`: the picture with exact depths.
+/// One pass over the scene in exact arithmetic. `*winners`: what is visible with exact depths.
 ///
-/// In       a scene that can be rewound, opened for `base`, in whose depth codes a bias is.
+/// In       a scene that can be rewound and was opened for `base`; a depth bias is in base's codes.
 SceneUse scene_use(const scene::Scene& scene, const spec::Contract& base, Winners* winners);
 
 }  // namespace pineda::studies

@@ -42,13 +42,13 @@ void copy_one(const Design& from, Design* to) {
   to->*Member = from.*Member;
 }
 
-/// A number of the table, made less one by one.
+/// A numeric parameter, which shrinks by one at a time.
 template <int Design::*Member>
 ShrinkableParameter shrinkable_number(std::string (*text)(const Design&) = number<Member>) {
   return {spec::parameter(Member).key, text, less<Member>, copy_one<Member>};
 }
 
-// The planes' fractions end where the reciprocal's bits do.
+// Limits the planes' fraction bits to what the reciprocal's bits allow.
 void fit_fractions(Design* d) {
   d->gradient_fraction_bits =
       std::min(d->gradient_fraction_bits, d->reciprocal_bits - d->subpixel_bits);
@@ -80,7 +80,8 @@ void copy_reciprocal(const Design& from, Design* to) {
   to->reciprocal_bits = from.reciprocal_bits;
 }
 
-// The last interpolated attribute becomes the first vertex's, and so on.
+// Makes the last interpolated attribute flat (the first vertex's value), then the one before it,
+// and so on.
 Designs more_flat(const Design& design) {
   Designs all;
   for (Design d = design; d.attributes > 0;) {
@@ -106,7 +107,8 @@ Designs without(const Design& design) {
   return {d};
 }
 
-/// From the least to the greatest value of a parameter, or the one it has if it is not used.
+/// Each design with each value of a parameter, from the least to the greatest; unchanged where it
+/// does not use the parameter.
 std::vector<Design> each_value(const std::vector<Design>& designs, int Design::*member) {
   const spec::Parameter& p = spec::parameter(member);
   const auto& number = std::get<spec::Number>(p.member);
@@ -121,7 +123,7 @@ std::vector<Design> each_value(const std::vector<Design>& designs, int Design::*
   return all;
 }
 
-/// Every reciprocal that there is.
+/// The design with every scheme and size of reciprocal.
 std::vector<Design> all_reciprocals(const Design& design) {
   std::vector<Design> all;
   for (const spec::Scheme& scheme : spec::kReciprocalSchemes) {

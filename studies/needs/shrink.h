@@ -1,4 +1,4 @@
-// The parameters of a design that a scene may need less of, and the next smaller value of each.
+// The parameters of a design that can shrink to what a scene needs, and the smaller values of each.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ struct ShrinkableParameter {
   const char* name;
   /// Its value, "-" if the design does not use it.
   std::string (*text)(const spec::Design&);
-  /// The design with each smaller value, from the next one on; what must follow does. The last ones
-  /// may be beyond what can be built.
+  /// The design with each smaller value, the next smaller one first; dependent parameters follow.
+  /// The last ones may be designs that cannot be built.
   std::vector<spec::Design> (*smaller)(const spec::Design&);
   void (*copy)(const spec::Design& from, spec::Design* to);
 };
@@ -22,8 +22,8 @@ struct ShrinkableParameter {
 const std::vector<ShrinkableParameter>& shrinkable_parameters();
 const ShrinkableParameter& shrinkable_parameter(const std::string& name);
 
-/// The reciprocals that this design could have, by rising cost; each is more accurate, by its
-/// bound, than all before it. A triangle every so many cycles as now, or sooner.
+/// The reciprocals that this design could have, by rising cost, each with a smaller error bound
+/// than all before it. None makes setup's interval longer.
 std::vector<spec::Design> reciprocal_front(const spec::Design& design);
 
 }  // namespace pineda::studies

@@ -11,7 +11,7 @@
 namespace pineda::studies {
 namespace {
 
-/// What a design's triangles lie in.
+/// The ranges of a design's coordinates and depths, and its greatest frame.
 struct Range {
   explicit Range(const spec::Contract& c)
       : px(1 << c.design.subpixel_bits),
@@ -19,17 +19,17 @@ struct Range {
         low(-high - 1),
         depth(((int64_t{1} << c.design.depth_bits) - 1) << spec::kDepthInputFractionBits),
         frame_px(1 << c.design.guard_bits) {}
-  int px;    // subpixels
-  int high;  // of a coordinate
+  int px;    // subpixels per pixel
+  int high;  // greatest coordinate
   int low;
-  int64_t depth;  // the greatest
+  int64_t depth;  // greatest z of a vertex
   int frame_px;
 
   spec::FrameState frame() const { return {frame_px, frame_px}; }
 };
 
-// The planes at the first sample of a pixel's tile, as traversal hands them on, without walking
-// there: steps of whole tiles are exact modulo the planes' widths.
+// The planes at the first sample of a pixel's tile, as traversal hands them on. Jumps to that tile
+// instead of walking: steps of whole tiles are exact modulo the planes' widths.
 std::optional<spec::PlaneSet> planes_at(const spec::Contract& c, const spec::Triangle& t, int x,
                                         int y) {
   spec::SetupPrim prim;
@@ -64,7 +64,8 @@ WorstCase start(Random& random, const Range& r) {
   // The last sample of a tile.
   at.x = r.frame_px - 1 - 8 * random.between(0, 6);
   at.y = r.frame_px - 1 - 8 * random.between(0, 6);
-  // From one end of the range at the anchor to the other: the reciprocal's error counts in full.
+  // Values run from one end of the range at the anchor to the other end at the other vertices, so
+  // that the reciprocal's error counts in full.
   const bool up = random.between(0, 1) != 0;
   for (size_t i = 0; i < 3; ++i) {
     const bool top = (i != 0) == up;

@@ -1,4 +1,4 @@
-// A directed search for the worst triangle of a design: what its derived bounds are held against.
+// A directed search for a design's worst triangle, to test its derived error bounds.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace pineda::studies {
 
 enum class Value { kDepth, kColor };
 
-/// A triangle with the sample at which its value is farthest off.
+/// A triangle, one of its samples, and the error there.
 struct WorstCase {
   spec::Triangle triangle;
   int x = 0;  // px
@@ -23,8 +23,8 @@ struct WorstCase {
 double error_before_rounding(const spec::Contract& contract, Value value,
                              const spec::Triangle& triangle, int x, int y);
 
-/// Hill climbing from `starts` triangles as large as the guard band, whose sample lies in the
-/// corner opposite to the anchor: there each term of the bound is largest. u8.
+/// Hill climbing from `starts` triangles as large as the guard band. The sample lies in the corner
+/// opposite to the anchor, where each term of the bound is largest. Attributes have 8 bits.
 ///
 /// In       a design with planes of depth, or of attributes.
 WorstCase search_worst(const spec::Contract& contract, Value value, int starts, int steps,

@@ -11,10 +11,10 @@
 
 namespace pineda::studies {
 
-/// Bits of the partial products that setup forms for a triangle, depth and four colours: a proxy of
-/// its area. The area's two products and the six of the edges at the first sample, (guard+2+S)^2
-/// each; a numerator's four, the two of the gradients with the reciprocal and the two of the
-/// reference, for each plane; two a Newton step of k+2 bits.
+/// Bits of the partial products that setup forms for a triangle with depth and four colours: a
+/// proxy of its area. The area takes two products and the edges at the first sample six,
+/// (guard+2+S)^2 bits each; each plane takes four for its numerators, two for its gradients (by the
+/// reciprocal) and two for its reference; a Newton step takes two of k+2 bits.
 int64_t setup_product_bits(const spec::Design& design);
 
 /// One design over all classes.
@@ -29,7 +29,7 @@ struct DesignPoint {
 };
 
 struct DesignPointOptions {
-  std::vector<spec::Design> designs;  // of the same formats at their input
+  std::vector<spec::Design> designs;  // all with the same input formats
   int triangles = 2000;               // of each class
   uint64_t seed = 1;
   std::function<void(const char* what, uint64_t done)> progress;
@@ -37,12 +37,13 @@ struct DesignPointOptions {
 
 std::vector<DesignPoint> study_design_points(const DesignPointOptions& options);
 
-/// Share of samples whose depth codes differ between a triangle and one inside it on the same plane
-/// of whole codes a px, at any height of 2^-8 codes.
+/// Share of samples whose depth codes differ between a triangle and another one inside it on the
+/// same plane. The gradients are whole codes a px, the plane's height is any multiple of 2^-8
+/// codes.
 double coplanar_difference(const spec::Design& design, int pairs, uint64_t seed);
 
-/// What a prototype in software measured before this model existed: the figures that the design
-/// points were chosen by.
+/// Figures that a software prototype measured before this model existed; the design points were
+/// chosen by them.
 struct PrototypePoint {
   const char* name;
   double products;  // bits

@@ -26,14 +26,14 @@ std::string reciprocal_text(const Design& d) {
   return fmt::format("{}, k{}", what, d.reciprocal_bits);
 }
 
-/// Collects the points of a base.
+/// Collects the designs that differ from a base in one parameter.
 class Points {
  public:
   Points(const Design& base, const spec::FrameState& frame) : base_(base), frame_(frame) {}
 
   std::vector<ParameterPoint> take() { return std::move(points_); }
 
-  /// Values of the member.
+  /// Adds a point for each value of a numeric parameter.
   void numbers(int Design::*member, std::initializer_list<int> values) {
     const spec::Parameter& p = spec::parameter(member);
     for (const int value : values) {
@@ -53,7 +53,7 @@ class Points {
     for (const int value : {0, 1, 2, 3, 4, 8, 16}) {
       Design d = base_;
       d.attributes = value;
-      // Colours that are not interpolated are flat, so that four are written anyway.
+      // Colours that are not interpolated become flat, so that there are four channels at least.
       d.flat_attributes = std::max(0, 4 - value);
       add("attributes", fmt::format("{}", value), d, value == base_.attributes);
     }

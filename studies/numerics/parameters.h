@@ -29,8 +29,9 @@ struct ParameterOptions {
   std::function<void(const std::string& parameter, uint64_t triangles)> progress;
 };
 
-/// The values that the study tries, the base's among them, in the order of the parameters. Without
-/// those that cannot be built with the base's other parameters, or whose frames are too small.
+/// The points that the study tries, the base's own values among them, in the order of the
+/// parameters. Values that cannot be built with the base's other parameters, or whose frames are
+/// too small, are left out.
 std::vector<ParameterPoint> parameter_points(const spec::Design& base,
                                              const spec::FrameState& frame);
 

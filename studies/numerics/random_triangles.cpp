@@ -28,7 +28,8 @@ Point in_window(Random& random) {
   return {random.between(0, kWindow.width * kPx), random.between(0, kWindow.height * kPx)};
 }
 
-// y first and, below, the last corner first: so the figures of docs/ were drawn.
+// Draws y before x, and around_three() its last corner first: this order gives the figures in
+// docs/.
 Point around(Random& random, Point centre, int reach) {
   const int y = random.between(-reach, reach);
   return point(centre.x + random.between(-reach, reach), centre.y + y);

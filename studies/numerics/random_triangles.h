@@ -33,7 +33,7 @@ inline constexpr std::array<Shape, 6> kShapes = {Shape::k16Px,      Shape::k256P
 /// "16 px", "256 px", "8192 px", "guard band", "needles", "slivers".
 const char* shape_name(Shape shape);
 
-/// The frame that a class is drawn in: the greatest one, which nobody should allocate, or a small
+/// The frame that a class is drawn in: the greatest one, which is too large to allocate, or a small
 /// window whose borders cut tiles and stamps.
 spec::FrameState frame_of(Shape shape);
 spec::Triangle random_triangle(Random& random, Shape shape);
@@ -41,7 +41,7 @@ spec::Triangle random_triangle(Random& random, Shape shape);
 /// A triangle whose values are all 0.
 spec::Triangle triangle(Point a, Point b, Point c);
 
-/// Gives each vertex a depth of 24.8 bits and colours of 8: each at an extreme or anywhere.
+/// Gives each vertex a depth of 24.8 bits and colours of 8: each an extreme or any value.
 void randomize_values(Random& random, spec::Triangle* t);
 
 /// d and w with cross(d, w) = 1, d of at most `reach` subpixels a side.

@@ -28,7 +28,7 @@ class Search {
     worst_.area2 = area2;
   }
 
-  /// Both ends of the areas that begin with this mantissa.
+  /// Tries the least and the greatest area whose leading bits are this mantissa.
   void try_mantissa(int64_t mantissa, int below) {
     const int64_t low = mantissa << below;
     try_area(low);
@@ -57,7 +57,7 @@ double ReciprocalError::good_bits() const { return -std::log2(error); }
 
 ReciprocalError reciprocal_error(const Design& design, int64_t most) {
   const int bits = spec::reciprocal_working_bits(design);
-  // The areas of the widest triangles have this many bits.
+  // Bits below the mantissa in the largest areas.
   const int below = spec::widths(design).area2 - 1 - bits;
   const int64_t mantissas = int64_t{1} << (bits - 1);
   Search search(design);
@@ -66,7 +66,7 @@ ReciprocalError reciprocal_error(const Design& design, int64_t most) {
     for (int64_t m = mantissas; m < 2 * mantissas; ++m) search.try_mantissa(m, below);
     return search.worst();
   }
-  // An odd stride visits every residue, so every part of a cell.
+  // An odd stride visits every residue of a cell's power-of-two size, so every place in a cell.
   const int64_t stride = (mantissas / most) | 1;
   for (int64_t m = mantissas; m < 2 * mantissas; m += stride) search.try_mantissa(m, below);
   const int64_t cell = mantissas >> std::max(spec::tamed(design).reciprocal_lut_bits, 1);

@@ -1,4 +1,4 @@
-// How good each reciprocal is: every scheme on every mantissa that it tells apart.
+// Measures every reciprocal scheme's error on every mantissa that it distinguishes.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,9 @@ struct ReciprocalError {
   double good_bits() const;
 };
 
-/// Tries each mantissa of k+2 bits, with the bits below all 0 and all 1: in between the error is
-/// monotonic. Above `most` of them: every cell's ends, and others evenly spread.
+/// Tries each mantissa of k+2 bits, with the bits below all 0 and all 1; in between the error is
+/// monotonic. If there are more than `most`: those near the ends of each ROM cell, and others
+/// evenly spread.
 ReciprocalError reciprocal_error(const spec::Design& design, int64_t most);
 
 /// A scheme as the study lists it, and what a prototype in software measured.

@@ -16,12 +16,12 @@ constexpr int kDirections = 32;
 constexpr double kGapPx = 3;      // around a label
 constexpr double kNearestPx = 3;  // beyond the marker
 constexpr double kFarthestPx = 400;
-// Costs, in px of leader.
+// Costs of a placement, in px of leader line.
 constexpr double kUnplaced = 1e6;
 constexpr double kThroughLabel = 2000;
 constexpr double kThroughLeader = 500;
 constexpr double kThroughMarker = 300;
-constexpr double kBesideAnother = 40;  // so near to another point that it might be that one's
+constexpr double kBesideAnother = 40;  // near enough to another point to be taken for its label
 constexpr double kNotBeside = 4;       // a reader looks to the right of a point first
 
 double cross(Point a, Point b, Point c) {
@@ -65,7 +65,7 @@ class Placement {
     boxes_.resize(labels.size());
   }
 
-  // Finds the best place of one label, the others staying where they are; has it moved?
+  // Finds the best place for one label while the others stay; has it moved?
   bool improve(size_t i) {
     std::optional<Box> best = boxes_[i];
     const double before = best ? cost(i, *best) : INFINITY;
@@ -148,7 +148,7 @@ std::vector<std::optional<Box>> place_labels(const std::vector<Label>& labels, c
   std::iota(order.begin(), order.end(), 0);
   std::vector<std::optional<Box>> best(labels.size());
   double least = INFINITY;
-  // Another sequence would lay pictures out otherwise than they were.
+  // A fixed sequence: another one would change the layout of existing pictures.
   std::linear_congruential_engine<uint32_t, 1664525, 1013904223, 0> random(1);
   for (int attempt = 0; attempt < kOrders; ++attempt) {
     Placement placement(labels, bounds, marker_px);
@@ -162,7 +162,7 @@ std::vector<std::optional<Box>> place_labels(const std::vector<Label>& labels, c
       least = cost;
       best = placement.boxes();
     }
-    for (size_t i = order.size(); i > 1; --i) {  // another order
+    for (size_t i = order.size(); i > 1; --i) {  // shuffle for the next attempt
       std::swap(order[i - 1], order[(random() >> 16) % i]);
     }
   }

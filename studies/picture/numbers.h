@@ -6,8 +6,8 @@
 
 namespace pineda::studies {
 
-/// Three digits that count, in five characters up to 9.9e9: "0", "<.001", "0.544", "12.3", "4211",
-/// "1.2e5". `value` is not negative.
+/// Three significant digits, in five characters at most up to 9.9e9: "0", "<.001", "0.544", "12.3",
+/// "4211", "1.2e5". `value` is not negative.
 std::string figure(double value);
 
 /// A count, exact up to six digits: "123,456", "1.2e6".

@@ -11,9 +11,9 @@ namespace {
 
 constexpr const char* kNameSpace = " xmlns=\"http://www.w3.org/2000/svg\"";
 constexpr int kMostTexts = 9;       // along an axis
-constexpr int kFewDecades = 3;      // up to here 2 and 5 have a text, too
-constexpr int kManyDecades = 8;     // from here on nothing between decades
-constexpr double kAirDecades = .1;  // beyond the least and the greatest value
+constexpr int kFewDecades = 3;      // up to this many, 2 and 5 are labelled, too
+constexpr int kManyDecades = 8;     // from this many on, no ticks between decades
+constexpr double kAirDecades = .1;  // margin beyond the least and the greatest value
 
 std::string attributes(const Paint& paint) {
   std::string text = fmt::format("fill=\"{}\"", paint.fill);

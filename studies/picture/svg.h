@@ -1,4 +1,4 @@
-// The little of SVG that plots need: shapes, text, logarithmic axes.
+// The part of SVG that plots need: shapes, text, logarithmic axes.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace pineda::studies {
 
-/// `text` where markup is read (HTML, SVG, attributes too): nothing in it is taken for markup.
-/// Control characters become spaces.
+/// `text` escaped for HTML, SVG and attributes, so that nothing in it is taken for markup. Control
+/// characters become spaces.
 std::string escaped(const std::string& text);
 
 // Positions and lengths are in px, x to the right, y down.
@@ -29,7 +29,7 @@ struct Box {
   bool holds(const Box& inner) const;
 };
 
-// Colours of every picture; told apart by those who cannot tell red from green.
+// Colours used in all pictures; they differ for readers with red-green colour blindness, too.
 inline constexpr const char* kInk = "#1c2430";
 inline constexpr const char* kGrey = "#5a6573";
 inline constexpr const char* kFaint = "#e3e6ea";
@@ -52,16 +52,16 @@ struct TextStyle {
   Anchor anchor = Anchor::kStart;
   bool bold = false;
   bool upwards = false;  // a quarter turn to the left
-  bool halo = false;     // paper around the letters hides lines that cross them
+  bool halo = false;     // a background-coloured outline hides lines behind the letters
 };
 
 /// Width of `text`, in px, in the widest of the usual sans-serif fonts; others run shorter.
 double text_width(const std::string& text, double size_px);
 
-/// A picture on a light ground that needs nothing else: no script, no style sheet, no font file.
+/// A self-contained picture on a light ground: no script, no style sheet, no font file.
 class Svg {
  public:
-  /// `title` is for those who cannot see the picture.
+  /// `title`: for screen readers.
   Svg(double width, double height, const std::string& title);
 
   void line(Point from, Point to, const Paint& paint);
@@ -81,19 +81,20 @@ class Svg {
   std::string body_;
 };
 
-/// A picture's file as part of an HTML page, where the name space is known.
+/// A picture's file as part of an HTML page: without the SVG name space, which HTML implies.
 std::string inlined(std::string svg);
 
-/// Values from low to high (0 < low < high) between two positions.
+/// Maps values from low to high (0 < low < high) to positions on a logarithmic scale.
 class LogAxis {
  public:
   struct Tick {
     double value;
-    std::string text;  // empty: between those with a text
+    std::string text;  // empty: a tick without a label
   };
 
   LogAxis(double low, double high, double low_px, double high_px);
-  /// An axis for all `values` that are above 0, with some air around them; for .5 to 50 if none is.
+  /// An axis for all positive `values`, with some margin around them; from .5 to 50 if there are
+  /// none.
   static LogAxis around(const std::vector<double>& values, double low_px, double high_px);
 
   /// Position of a value; those beyond the ends (0, too) are on the ends.

@@ -46,7 +46,7 @@ class FstWaveform final : public Waveform {
     }
   }
 
-  // The library does not say what it could not write, so what is there is looked at.
+  // The library does not report failed writes, so the file is read back and its end checked.
   bool finish() override {
     close();
     void* reader = fstReaderOpen(path_.c_str());

@@ -12,12 +12,12 @@ namespace pineda::studies {
 
 /// Cycles by tile of the screen.
 ///
-/// A stamp costs the cycles from the acceptance by interp_ztest of the stamp before it (from the
-/// window's first cycle on for the first) until its own, and its tile pays. So what holds a stamp
-/// up anywhere in the pipeline is paid where it is drawn, and all tiles together pay for the time
-/// up to the last acceptance.
+/// A stamp costs the cycles from interp_ztest's acceptance of the stamp before it (for the first
+/// stamp: from the window's first cycle) to its own acceptance. The cost is added to the stamp's
+/// tile: whatever holds a stamp up anywhere in the pipeline is counted where the stamp is drawn,
+/// and all tiles add up to the time until the last acceptance.
 ///
-/// In       stamp() and slot() of the stamps' FIFO, in any order between the two.
+/// In       stamp(), and slot() of the stamp FIFO, interleaved in any order.
 class HeatMap final : public timing::Listener {
  public:
   HeatMap(const spec::Contract& contract, const spec::FrameState& frame, const Window& window);
@@ -35,9 +35,9 @@ class HeatMap final : public timing::Listener {
   int rows() const { return rows_; }
   timing::Cycle cycles(int x, int y) const { return cycles_[index(x, y)]; }
   timing::Cycle total() const { return total_; }
-  /// The tile that costs most, the first of them.
+  /// The tile with the highest cost; the first of several equal ones.
   Tile hottest() const;
-  /// Tiles that cost anything.
+  /// Number of tiles with any cost.
   int touched() const;
 
  private:
@@ -54,8 +54,8 @@ class HeatMap final : public timing::Listener {
   std::vector<timing::Cycle> cycles_;
   timing::Cycle total_ = 0;
   timing::Cycle last_;                  // the last acceptance, or the window's begin
-  std::deque<size_t> tiles_;            // of stamps whose acceptance is not known yet
-  std::deque<timing::Cycle> accepted_;  // of stamps that are not known yet
+  std::deque<size_t> tiles_;            // tiles of stamps whose acceptance is not known yet
+  std::deque<timing::Cycle> accepted_;  // acceptances whose stamps are not known yet
 };
 
 /// A picture, row-major, 8-bit red, green and blue.
@@ -66,8 +66,8 @@ struct Picture {
 };
 
 /// The map over the frame's pixels (small frames magnified), each tile in the colour of its cycles;
-/// black where no stamp was. Below it the scale: places grow with the square root of the cycles, so
-/// that a few hot tiles do not hide the others.
+/// black where no stamp was. The scale below it follows the square root of the cycles, so that a
+/// few hot tiles do not hide the others.
 Picture heat_map_picture(const HeatMap& map, const spec::Contract& contract,
                          const spec::FrameState& frame);
 

@@ -10,7 +10,7 @@ namespace {
 
 using timing::Cycle;
 
-// Ever lighter, so that it can be read without its hues.
+// Lightness grows throughout, so that the map can be read without hues.
 constexpr std::array<Stop, 5> kRamp{{{0, {28, 16, 68}},
                                      {.25, {104, 20, 108}},
                                      {.5, {190, 56, 84}},

@@ -1,4 +1,4 @@
-// What units and FIFOs report of a frame's time, put together for those who show it.
+// Combines what units and FIFOs report during a frame into spans and levels for display.
 #pragma once
 
 #include <algorithm>
@@ -27,11 +27,11 @@ struct Span {
   timing::Cycle cycles() const { return until - from; }
 };
 
-/// The spans of a unit, as long as can be: neighbours of one cause and triangle become one.
+/// Joins a unit's spans: neighbours of one cause and triangle become one.
 class SpanJoiner {
  public:
-  /// Spans in order; what lies outside of the window is cut off. Calls whole(span) for the span
-  /// before if this one does not go on with it.
+  /// Takes spans in order and cuts them to the window. Calls whole(span) for the joined span so far
+  /// if this one does not continue it.
   template <class Whole>
   void add(Span span, const Window& window, Whole whole) {
     span.from = window.clamped(span.from);
@@ -56,8 +56,8 @@ class SpanJoiner {
   Span last_;
 };
 
-/// The level of a FIFO, as each cycle begins: a slot taken in t counts from t + 1 on, to the cycle
-/// in which it is freed. Keeps no more slots than the FIFO has.
+/// The level of a FIFO as each cycle begins: a slot taken in t counts from t + 1 to the cycle in
+/// which it is freed. Keeps no more slots than the FIFO has.
 class FifoLevel {
  public:
   /// Slots in order. Calls changed(cycle, level) for each change that is known by now, in order.
@@ -90,8 +90,8 @@ class FifoLevel {
     reported_ = level_;
   }
 
-  std::deque<timing::Cycle> freed_;  // of the slots that are taken still
-  timing::Cycle cycle_ = 0;          // of the last step; there may be more in it
+  std::deque<timing::Cycle> freed_;  // when the slots still taken are freed
+  timing::Cycle cycle_ = 0;          // of the last change; more may follow in the same cycle
   int level_ = 0;
   int reported_ = 0;
 };

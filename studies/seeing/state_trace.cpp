@@ -15,7 +15,7 @@ namespace {
 constexpr uint32_t kStarved = static_cast<uint32_t>(Cause::kStarved);
 constexpr int kTriangleBits = 32;
 constexpr int kLevelBits = 16;
-// No cycle: a port that has not moved.
+// Stands for "never", for a port that has not moved yet.
 constexpr Cycle kNever = -2;
 
 }  // namespace
@@ -140,7 +140,7 @@ void StateTrace::write(Waveform* waveform) const {
 }
 
 std::string gtkwave_save(const std::string& file) {
-  // How GTKWave shows a row, as its save files say it.
+  // Display flags of a row in GTKWave's save format.
   constexpr const char* kText = "@820";
   constexpr const char* kDecimal = "@24";
   constexpr const char* kSteps = "@8024";  // decimal, drawn as a curve of steps

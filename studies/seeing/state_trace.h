@@ -18,11 +18,11 @@ namespace pineda::studies {
 /// In       spent(), slot(), depth(), color().
 /// Out      write(): a waveform of signals(), to a VCD or FST file.
 ///
-/// It keeps 16 bytes of every change inside the window, and twice that while they grow or are
-/// sorted: each unit reports its own in order, but a file wants one order of all.
+/// Memory: 16 bytes for every change inside the window, twice that while vectors grow or are
+/// sorted. Each unit reports its own changes in order, but a file needs one order for all.
 class StateTrace final : public timing::Listener {
  public:
-  /// `reads_depth`: a stamp that leaves its FIFO has its depth read in that cycle.
+  /// `reads_depth`: a stamp's depth is read in the cycle in which the stamp leaves its FIFO.
   StateTrace(const Window& window, bool reads_depth);
 
   void spent(timing::Unit unit, timing::Cause cause, timing::Cycle from, timing::Cycle until,
@@ -52,10 +52,10 @@ class StateTrace final : public timing::Listener {
   };
   struct UnitState {
     SpanJoiner spans;
-    timing::Cycle until = 0;  // of the last span: starved from then on
+    timing::Cycle until = 0;  // end of the last span: the unit is starved from then on
     uint32_t id = 0;
   };
-  static constexpr size_t kLevels = 2 * timing::kUnits;  // after state and triangle of each unit
+  static constexpr size_t kLevels = 2 * timing::kUnits;  // signal of the first FIFO
   static constexpr size_t kPorts = kLevels + timing::kFifos;
   static constexpr size_t kSignals = kPorts + timing::kMemoryPorts;
 

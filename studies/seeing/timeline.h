@@ -11,18 +11,19 @@ namespace pineda::studies {
 
 /// Chrome trace-event JSON, as Perfetto and chrome://tracing open it. A cycle is a microsecond.
 ///
-/// A unit has two lanes. In the first, a slice is a triangle that the unit's cycles are put down
-/// to, from the first such cycle to the last; its arguments are those cycles by cause, starved ones
-/// between them among them, and add up to its length. Slices never overlap: where setup is frozen
-/// by an output while the next triangle is in it, the earlier triangle has another slice. In the
-/// second lane are the cycles that were not busy. Counters are the levels of the FIFOs.
+/// A unit has two lanes. In the first, a slice is a triangle, from the first to the last cycle that
+/// the unit spent on it. Its arguments are the cycles by cause, starved ones in between included;
+/// they add up to the slice's length. Slices never overlap: where an output freezes setup while the
+/// next triangle is in it, the output's triangle gets a further slice. The second lane shows the
+/// cycles that were not busy. Counters are the levels of the FIFOs.
 ///
 /// In       spent(), slot(). Source: "Trace Event Format", the Chromium project.
-/// Out      the file, written on the way; kept is one slice a unit and the slots of the FIFOs.
-/// Errors   finish() is false when the file took not everything.
+/// Out      the file, written as the frame runs; kept in memory are one slice a unit and the FIFOs'
+///          slots.
+/// Errors   finish() is false when the file could not be written completely.
 class Timeline final : public timing::Listener {
  public:
-  /// `about`: a JSON object on what is shown. The file stays the caller's.
+  /// `about`: a JSON object on what is shown. The caller owns the file.
   Timeline(std::FILE* file, const Window& window, const std::string& about);
 
   void spent(timing::Unit unit, timing::Cause cause, timing::Cycle from, timing::Cycle until,
@@ -37,7 +38,7 @@ class Timeline final : public timing::Listener {
  private:
   struct Lane {
     SpanJoiner spans;
-    Span triangle;  // its slice; of no cycles: none
+    Span triangle;  // its slice; empty: none
     timing::UnitCycles cycles;
   };
 

@@ -35,7 +35,7 @@ class VcdWaveform final : public Waveform {
     } else if (bits == 1) {
       put(fmt::format("{}{}\n", value, code));
     } else {
-      // Zeros in front of a one, and any x alike, need not be said.
+      // VCD allows a value without its leading zeros, and a single x for a value that is all x.
       const size_t first = value[0] == 'x' ? value.size() - 1 : value.find('1');
       put(fmt::format("b{} {}\n", value.substr(std::min(first, value.size() - 1)), code));
     }

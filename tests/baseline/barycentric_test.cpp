@@ -1,4 +1,5 @@
-// "Triangles", barycentric coordinates: what may be dropped from the loop, and who owns an edge.
+// "Triangles", barycentric coordinates: what the loop can do without, and who owns samples on an
+// edge.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,8 +19,8 @@ constexpr int kSize = 200;
 constexpr spec::FrameState kFrame{kSize, kSize, spec::Cull::kNone, spec::DepthFunc::kLess};
 constexpr printed::Range kAll{0, kSize - 1, 0, kSize - 1};
 
-// To the right of everything and a little below: farther than any edge that is not horizontal
-// reaches down to it. Exact in doubles for the triangles of a small frame.
+// A point far to the right of everything and a little below: no edge's line, unless horizontal,
+// passes to its right at that height. Exact in doubles for the triangles of a small frame.
 constexpr Vertex2D kFarPoint{0x1p30f, 0x1p12f, 0};
 
 // The samples that a triangle can cover.
@@ -53,8 +54,8 @@ TEST(BarycentricLoop, DroppingTheUpperBoundChangesNothing) {
   EXPECT_GT(samples, 50000u);
 }
 
-// Divisions and column order cost time; the samples and the pixels looked at are those of the
-// stepped form.
+// The plain form has divisions and goes by columns, which only costs time: it finds the samples and
+// looks at the pixels of the incremental form.
 TEST(BarycentricLoop, PlainAndIncrementalSeeTheSame) {
   Random random(32);
   const auto plain = find_baseline("barycentric").make(kContract, kFrame);
@@ -78,7 +79,7 @@ TEST(BarycentricLoop, PlainAndIncrementalSeeTheSame) {
   EXPECT_EQ(plain->visited(), stepped->visited());
 }
 
-// The diagonal of a square that starts at the origin runs through (-1, -1).
+// The diagonal of a square at the origin runs through the printed point (-1, -1).
 TEST(OffScreenPoint, PrintedPointOnTheLineOfAnEdgeDropsItsSamples) {
   const Point corner{kHalfPx, kHalfPx};
   const int far = 100 * kPx + kHalfPx;
@@ -113,7 +114,7 @@ TEST(OffScreenPoint, DropsSamplesOfAMeshUnlessItIsOutOfEveryLine) {
   EXPECT_EQ(doubles, 0);
 }
 
-// Left edges have it on the side of their triangle, and top edges.
+// Left edges and top edges have the far point on the side of their triangle.
 TEST(OffScreenPoint, AtInfinityItIsTheTopLeftRule) {
   Random random(34);
   size_t samples = 0;

@@ -38,7 +38,7 @@ TEST(BoxFromSignFlags, PrintedBoxHasNoRowsAndTheMendedOneIsTheLeastAndTheGreates
   EXPECT_GT(mended.wanted, 100000);
 }
 
-// Narrower than a unit of 2^-12 px: B truncates to 0, which the flag takes for "does not fall".
+// Narrower than a unit of 2^-12 px: B truncates to 0, and its sign flag then means "does not fall".
 TEST(BoxFromSignFlags, SliverThatTruncatesToNoWidthIndexesOutsideTheTable) {
   Random random(10);
   int outside = 0;

@@ -15,15 +15,15 @@ using printed::Corners;
 using printed::EdgeEqn;
 using printed::Vertex2D;
 
-// A coordinate that a snapped one never is: A and B are truncated too.
+// A coordinate that is not snapped, so that A and B are truncated, too.
 Vertex2D anywhere(Random& random, int size_px) {
   const double x = random.unit() * size_px;
   const double y = random.unit() * size_px;
   return {static_cast<float>(x), static_cast<float>(y), 0};
 }
 
-// Truncated A and B, and a C that does not know: an edge misses its own vertex by up to 2^-12 px
-// for each px of distance from the origin.
+// A and B are truncated, but C is computed from the untruncated vertices: an edge misses its own
+// vertex by up to 2^-12 px for each px of distance from the origin.
 TEST(EdgeEquation, CTruncatedApartFromAAndBMissesItsOwnVertex) {
   Random random(1);
   double apart = 0;
@@ -41,8 +41,8 @@ TEST(EdgeEquation, CTruncatedApartFromAAndBMissesItsOwnVertex) {
   EXPECT_LT(together, 1);
 }
 
-// A triangle whose first edge passes `units` of 2^-16 px^2 beside the sample of `pixel`, which lies
-// outside of it, but inside the other two edges.
+// A triangle whose first edge passes the sample of `pixel` at `units` of 2^-16 px^2. The sample
+// lies outside of that edge and inside of the other two.
 spec::Triangle just_outside(Random& random, Point pixel, int units) {
   const auto [d, w] = unit_lattice(random, 20 * kPx);
   const Point p{pixel.x * kPx + kHalfPx, pixel.y * kPx + kHalfPx};
@@ -56,8 +56,8 @@ spec::Triangle just_outside(Random& random, Point pixel, int units) {
   return triangle(from, to, far);
 }
 
-// On snapped vertices A and B are exact and C alone is truncated, towards 0: to the outside when it
-// is negative.
+// On snapped vertices A and B are exact and only C is truncated, towards 0: where C is negative
+// this moves the edge outwards.
 TEST(EdgeEquation, TruncatedCDrawsASampleBeyondItsEdgeAndTheMendedOneDoesNot) {
   constexpr int kSize = 512;
   constexpr int kTriangles = 4000;
@@ -81,7 +81,8 @@ TEST(EdgeEquation, TruncatedCDrawsASampleBeyondItsEdgeAndTheMendedOneDoesNot) {
   EXPECT_GT(mended.wanted, 100000);
 }
 
-// Share of random triangles in size x size px with a pixel that 32 bits decide otherwise than 64.
+// Share of random triangles in size x size px with a pixel that 32-bit and 64-bit edges decide
+// differently.
 double overflow_share(int size_px, int count, int stride) {
   Random random(3);
   int wrong = 0;

@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(OnEveryShape, ExactBaseline,
                                           testing::ValuesIn(kShapes)),
                          name_of);
 
-// What values may be off by, rounding included: what each algorithm costs, not what it should.
+// Largest error of the values, rounding included: what each algorithm has, not what it should have.
 double depth_bound(const std::string& name, Shape shape) {
   const bool sliver = shape == Shape::kSliver;
   if (name == "edge_flat") return 1 << 24;
@@ -72,7 +72,8 @@ TEST_P(ExactBaseline, HitsEverySampleOnce) {
   EXPECT_LE(v.color_lsb, color_bound(name, shape.shape));
 }
 
-// What 12 fraction bits from the origin cost at 16384 px, and what one colour a triangle does.
+// Errors that the bounds above allow occur: 12 fraction bits from the origin at 16384 px, and one
+// colour a triangle.
 TEST(BaselineError, IsThereToBeSeen) {
   const Verdict smooth = judge_random("edge_smooth", Shape::k16Px, 1500, 61);
   EXPECT_GT(smooth.depth_ulp, 3);
@@ -84,8 +85,8 @@ TEST(BaselineError, IsThereToBeSeen) {
 
 struct Failure {
   const char* name;
-  double tiny_share;    // triangles drawn wrong, at least: of 16 px anywhere in 16384 px
-  double sliver_share;  // of those of an area of 1 to 4 units; extra ones count, too
+  double tiny_share;    // least share drawn wrong, of 16 px in 16384 px
+  double sliver_share;  // the same of areas of 1 to 4 units; extra ones count, too
   double depth_ulp;     // largest error on needles, at least
 };
 
@@ -123,7 +124,8 @@ TEST_P(SinglePrecision, LosesTheDepthOfNeedles) {
   EXPECT_GT(v.depth_ulp, GetParam().depth_ulp);
 }
 
-// In the far corner of the guard band: what the determinant cannot see, the one-vertex form can.
+// In the far corner of the guard band the determinant form of C loses the triangle to rounding, the
+// one-vertex form does not.
 TEST(SinglePrecisionGuardBand, DeterminantLosesATriangleThatTheVertexFormKeeps) {
   const int far = 16380 * kPx;
   const spec::Triangle t = triangle({far + 13, far + 101}, {far + 3 * kPx + 55, far + 7},
@@ -137,7 +139,7 @@ TEST(SinglePrecisionGuardBand, DeterminantLosesATriangleThatTheVertexFormKeeps) 
   EXPECT_EQ(vertex.faults(), 0);
 }
 
-// The judging itself can fail: a neighbour's samples are extra, and the triangle's own are missing.
+// The judge can fail a baseline: shifted samples are extra and missing at once.
 TEST(BaselineMutant, ShiftedDoubledAndLostSamplesAreCaught) {
   const spec::FrameState frame{64, 64, spec::Cull::kNone, spec::DepthFunc::kLess};
   const spec::Triangle t = triangle({4 * kPx, 5 * kPx}, {50 * kPx, 20 * kPx}, {9 * kPx, 60 * kPx});

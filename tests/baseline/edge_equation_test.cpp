@@ -15,7 +15,7 @@ namespace {
 
 using printed::Pixel;
 
-// What a mesh's pixels see of the printed edges, by the sign test given.
+// The pixels of a mesh that the printed edges cover, by the given sign test.
 template <class Test>
 Hits mesh_hits(const std::vector<spec::Triangle>& mesh, int size_px, Test&& test) {
   Hits hits(size_px);
@@ -63,7 +63,7 @@ spec::Triangle well_shaped(Random& random, int size_px) {
   return triangle(p[0], p[1], p[2]);
 }
 
-// Both find the same samples (the judge sees to that): only the work differs.
+// Both find the same samples, which the judge checks: only the number of tests differs.
 TEST(EarlyExit, TestsFewerSamplesForTheSameTriangles) {
   Random random(8);
   const auto early = find_baseline("edge_smooth").make(kContract, square(512));

@@ -1,4 +1,4 @@
-// Hidden surfaces: where the painter's algorithm must fail, and a depth buffer does not.
+// Hidden surfaces: cases that the painter's algorithm cannot draw and a depth buffer can.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ spec::Triangle at_depths(spec::Triangle t, int64_t a, int64_t b, int64_t c) {
 Point px(int x, int y) { return {x * kPx, y * kPx}; }
 
 using Scene = std::vector<spec::Triangle>;
-using Owners = std::vector<int>;  // which triangle each pixel shows
+using Owners = std::vector<int>;  // the triangle that each pixel shows
 
 // In exact arithmetic: the nearest triangle.
 Owners nearest(const Scene& scene) {
@@ -120,7 +120,7 @@ TEST(PaintersAlgorithm, FailsWhereTwoPassThroughEachOther) {
   EXPECT_EQ(differences(buffered(crossing()), nearest(crossing())), 0);
 }
 
-// No order of the three is right: it is not the choice of the key.
+// No order of the three is right, so no sorting key helps.
 TEST(PaintersAlgorithm, FailsOnACycleInAnyOrder) {
   const Owners right = nearest(cycle());
   const int wrong = differences(painted(cycle()), right);

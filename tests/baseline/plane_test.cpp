@@ -13,12 +13,12 @@
 namespace pineda::test {
 namespace {
 
-// Red over random triangles in size x size px: planes in int32, 12 fraction bits by (int), from the
-// origin, half a code added. What does not fit an int saturates.
+// Planes of red over random triangles in size x size px, as printed: int32 with 12 fraction bits by
+// (int), from the origin, half a code added. What does not fit an int saturates.
 struct Red {
   int triangles = 0;
   int overflown = 0;  // a coefficient that saturated
-  double worst = 0;   // LSB, the others
+  double worst = 0;   // LSB, of triangles that did not saturate
   double worst_overflown = 0;
 };
 
@@ -65,9 +65,9 @@ double mended_red(int size_px, int count) {
   return verdict.color_lsb;
 }
 
-// The planes of narrow triangles reach the origin beyond 2^19 LSB: rare, and equally so at any
-// size, since a triangle twice as far is half as steep. In one draw of the dice 512 px seem to be
-// safe.
+// The planes of narrow triangles exceed 2^19 LSB at the origin. This is rare, and as frequent at
+// any size, since a triangle twice as far is half as steep. A single random sample may suggest that
+// 512 px are safe.
 TEST(PlaneEquation, TwelveBitsFromTheOriginFadeWithDistanceAndOverflowIn32Bits) {
   const Red at_512 = printed_red(512, 20000, 32);
   const Red at_1024 = printed_red(1024, 20000, 64);
@@ -122,8 +122,8 @@ TEST(ColorClamp, PrintedAlphaSaturatesIntoRed) {
   EXPECT_EQ(printed::smooth_color(-1, -1, -1, -1), 0u);
 }
 
-// The gradient, rounded to 12 fraction bits, overshoots white far from the origin: only the clamp
-// keeps the codes, and alpha's own.
+// A gradient rounded to 12 fraction bits overshoots white far from the origin: only the clamp keeps
+// codes in range, and alpha in its own channel.
 TEST(ColorClamp, MendedAlphaStaysInItsChannel) {
   const int far = 16300 * kPx;
   spec::Triangle t = triangle({far, far}, {far + 3000, far + 50}, {far + 40, far + 3500});

@@ -1,6 +1,6 @@
-// The algorithms as they are printed, faults included: what the mended ones in model/baseline are
-// held against. Java's arithmetic is kept: int wraps, (int) of a double truncates and saturates.
-// Samples lie at whole pixels here, as on the slides.
+// The algorithms as they are printed, faults included, to compare the mended ones of model/baseline
+// with. As in Java, int wraps and (int) of a double truncates and saturates. Samples lie at whole
+// pixels here, as on the slides.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ using Corners = std::array<Vertex2D, 3>;
 /// A snapped triangle (S = 8), moved by half a pixel, so that samples are pixel centres.
 Corners corners(const spec::Triangle& triangle);
 
-/// A place in the raster as a program writes it: pixel[row][column].
+/// A place in the raster as a program addresses it: pixel[row][column].
 struct Pixel {
   int row;
   int column;
@@ -69,8 +69,7 @@ struct Setup {
 /// False for "degenerate triangle".
 bool triangle_setup(const Corners& v, int width, int height, Setup* setup);
 
-/// The same with the box that it should have had, for what comes after the box; empty when
-/// degenerate.
+/// The same with the right box, to test what comes after the box; empty when degenerate.
 Setup with_right_box(const Corners& v, int size_px);
 
 /// Calls visit(x, y) for every `stride`-th pixel of the box.
@@ -84,7 +83,7 @@ void for_each_pixel(const Setup& s, int stride, Visitor&& visit) {
 /// The draw loop of slide 16: every pixel that it writes, as it addresses it.
 Pixels draw(const Setup& setup, int width);
 
-/// The colour of the flat triangle's constructor, slide 14; `a`, which nothing declares, is 0.
+/// The colour of the flat triangle's constructor, slide 14. It uses an undeclared `a`, taken as 0.
 uint32_t flat_color(const Corners& v);
 
 /// The plane equation of slide 24, A, B, C with 12 fraction bits: (int) as for the edges.
@@ -92,7 +91,7 @@ std::array<int32_t, 3> plane(const Corners& v, const std::array<int, 3>& value);
 
 /// The inner loop of slide 29: four accumulators of 12 fraction bits to a pixel.
 uint32_t smooth_color(int32_t a, int32_t r, int32_t g, int32_t b);
-/// And where it goes: pixel[y*x], y already times the width.
+/// The index that it writes to: pixel[y*x], where y already includes the width.
 int smooth_index(int x, int y, int width);
 
 /// Edge walking, slide 8: rows and spans from the ceiling to the floor, both ends included.
@@ -102,8 +101,8 @@ Pixels edge_walk(const Corners& v);
 struct Range {
   int x_min, x_max, y_min, y_max;
 };
-/// Which of the slides' conditions draws: all three in [0, 1]; all three >= 0; the latter, with
-/// samples on an edge given to the triangle on the side of the point r.
+/// The slides' conditions for drawing a sample: all three weights in [0, 1]; all three >= 0; all
+/// three >= 0, and a sample on an edge belongs to the triangle on the side of the point r.
 enum class Condition { kUnitInterval, kNotNegative, kOffScreenPoint };
 Pixels barycentric(const Corners& v, const Range& range, Condition condition,
                    const Vertex2D& r = {-1, -1});

@@ -55,7 +55,7 @@ void judge_samples(const spec::FrameState& frame, const spec::Triangle& triangle
 /// `count` random triangles of a shape through one baseline.
 Verdict judge_random(const std::string& name, Shape shape, int count, uint64_t seed);
 
-/// Those that promise every sample of every triangle, once.
+/// The baselines that promise to hit every sample of every triangle once.
 const std::vector<std::string>& exact_baselines();
 
 /// Corners anywhere in size x size px.

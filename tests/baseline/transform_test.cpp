@@ -37,7 +37,7 @@ TEST(Perspective, SAndTAreRightForPositiveWAndEachOthersInverse) {
     const Clip p2 = random_clip(random);
     const double t = random.unit();
     const double s = printed::screen_share(t, p1.w, p2.w);
-    // The primes that the slides leave out: the shares are of *screen* coordinates.
+    // The slides leave out the primes: these shares are of *screen* coordinates.
     const double on_screen = p1.screen_x() + s * (p2.screen_x() - p1.screen_x());
     ASSERT_NEAR(between(p1, p2, t).screen_x(), on_screen, 1e-9 * (1 + std::abs(on_screen)));
     ASSERT_NEAR(printed::space_share(s, p1.w, p2.w), t, 1e-9);
@@ -60,7 +60,7 @@ TEST(Perspective, ScreenShareServesZOverWAndNotZ) {
   EXPECT_GT(worst_z, 5);  // of a range of 20
 }
 
-// A pole: with one point behind the eye the share leaves [0, 1].
+// The share has a pole: with one point behind the eye it leaves [0, 1].
 TEST(Perspective, ShareIsMeaninglessAcrossTheEye) {
   EXPECT_LT(printed::screen_share(.4, 1, -1), -1);  // .4 * -1 / .2 = -2
   EXPECT_GT(printed::screen_share(.6, 1, -1), 1);   // .6 * -1 / -.2 = 3
@@ -93,7 +93,7 @@ TEST(Clipping, CrossingShareLiesOnThePlane) {
   EXPECT_GT(crossings, 500);
 }
 
-// f(a)f(b) = 0 for an edge that only touches, whichever side its other end lies on: the product
+// f(a)f(b) is 0 for an edge that touches the plane, whichever side its other end is on: the product
 // cannot say whether to keep the edge, two comparisons can.
 TEST(Clipping, ProductOfTheSidesCannotTellTouchingEdgesApart) {
   const Vector n{0, 0, 1};
@@ -109,8 +109,8 @@ TEST(Clipping, ProductOfTheSidesCannotTellTouchingEdgesApart) {
   EXPECT_FALSE(keeps(on) && keeps(outside));
 }
 
-// From w = 1 to w = -1 through the near plane w = .1: clipped after the divide, the end is mirrored
-// and the cut lands on the wrong side of the screen.
+// An edge from w = 1 to w = -1 through the near plane w = .1. Clipped after the divide, its end is
+// mirrored and the cut lands on the wrong side of the screen.
 TEST(Clipping, AfterTheDivideTheCutIsOnTheWrongSide) {
   const Clip in{.5, 0, 1};
   const Clip behind{4.5, 0, -1};

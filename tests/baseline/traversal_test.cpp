@@ -26,7 +26,7 @@ TEST(EdgeWalking, SpansWithBothEndsIncludedHitSharedEdgesTwice) {
   EXPECT_EQ(mended.holes(), 0);
 }
 
-// Flat top, flat bottom, breakpoint left and right; one row; an edge on a row of samples.
+// Flat top, flat bottom, the middle vertex left and right; one row; an edge on a row of samples.
 TEST(EdgeWalking, EveryCaseOfTheBreakpointMatchesTheJudge) {
   Verdict verdict;
   for (const int y : {-kHalfPx, 0, 1, kPx / 3, kHalfPx - 1, kHalfPx}) {
@@ -84,7 +84,8 @@ TEST(Subdivision, AcceptsAndRejectsWholeSquares) {
   EXPECT_EQ(idle->visited(), 1u);
 }
 
-// Its three edges lie on one line, as far as squares can tell, and that line crosses the frame.
+// As far as the tests of squares can tell, the three edges of a sliver are one line across the
+// frame.
 TEST(Subdivision, BeyondTheTipsOfASliverNothingIsSplit) {
   const auto rasterizer = find_baseline("subdivision").make(kContract, kHugeFrame);
   Gathered gathered;
@@ -112,8 +113,8 @@ TEST(Points, TakeTheirVerticesAndNothingElse) {
   EXPECT_EQ(samples[1].z, (1 << 24) - 1);
 }
 
-// 100 million primitives, a tenth of them visible, on 2 million pixels: five a pixel. Triangles
-// that small mostly cover no sample; their vertices still land in nearly every pixel.
+// A scene of 100 million primitives, a tenth of them visible, on 2 million pixels: five a pixel.
+// Most triangles that small cover no sample, but their vertices land in nearly every pixel.
 TEST(Points, FillMicroTrianglesAndNotLargeOnes) {
   constexpr int kSize = 32;
   Random random(52);

@@ -227,7 +227,7 @@ TEST_P(BadStream, IsRefusedInOneLineAndNothingIsWritten) {
     const Outcome run = pineda(with_outputs(command, "-"), piped);
     EXPECT_TRUE(is_refused(run, "standard input")) << command;
     EXPECT_EQ(scratch.files(), Arguments{}) << command;
-    // What is wrong with a stream must not be that it is one.
+    // A refused stream must be refused for its content, not for being a pipe.
     EXPECT_EQ(run.err.find("pipe"), std::string::npos) << command << ": " << run.err;
   }
 }

@@ -98,7 +98,7 @@ TEST(Stalls, CostTimeAndChangeNoBit) {
   EXPECT_NE(cycles({"--stall", "both", "--seed", "1"}), stalled);
 }
 
-/// A copy of the program that finds the RTL with one fault in each unit beside it.
+/// A copy of the program, placed where it finds RTL with one fault in each unit.
 class FaultyRtl : public testing::Test {
  protected:
   FaultyRtl() {
@@ -127,7 +127,7 @@ TEST_F(FaultyRtl, MakesCheckExitOne) {
   EXPECT_NE(read_bytes(scratch_.path("out/report.html")).find("does not hold"), std::string::npos);
 }
 
-// The fault moves no frame's cycles, but triangles retire in others.
+// The fault changes no frame's cycles, but the cycles in which triangles retire.
 TEST_F(FaultyRtl, MakesStudyCyclesExitOne) {
   const Outcome run =
       pineda({"study", "cycles", "--scene", "hard/sliver", "--runs", "0", "--json", "-"}, copy_);
@@ -138,7 +138,7 @@ TEST_F(FaultyRtl, MakesStudyCyclesExitOne) {
   EXPECT_EQ(json.at("worst").at(0).at("rows_off"), 1);
 }
 
-// Under stalls a retirement may be off, a counter may not.
+// Under stalls a retirement may differ, a counter may not.
 TEST_F(FaultyRtl, MakesStudyCyclesExitOneOverACounter) {
   const std::string text = scratch_.write("scene.tri", tri_text(frame("TileBorders")));
   const Outcome run = pineda(
@@ -188,7 +188,7 @@ TEST_F(FaultyRtl, MakesCheckNameTheTriangleThatRetiresAtAnotherCycle) {
   EXPECT_GT(run.json().at("retirement").at("off"), 0);
   const Json found = run.json().at("first_retire_difference");
   EXPECT_NE(found.at("model"), found.at("rtl"));
-  // A stamp more than there should be: it is seen where it leaves traversal.
+  // The faulty unit sends one stamp too many: the difference shows at traversal's output.
   EXPECT_EQ(found.at("unit"), "traversal");
   const Json token = found.at("token");
   EXPECT_EQ(token.at("boundary"), "stamp");
@@ -209,7 +209,7 @@ TEST_F(FaultyRtl, MakesCheckNameTheTriangleThatRetiresAtAnotherCycle) {
 
   const Waveform wave(file);
   ASSERT_TRUE(wave.is_open());
-  const auto time_of = [](uint64_t c) { return 2 * c + 4; };  // as the line says
+  const auto time_of = [](uint64_t c) { return 2 * c + 4; };  // as the reported line says
   EXPECT_EQ(wave.start(), time_of(cycle < 200 ? 0 : cycle - 200));
   EXPECT_EQ(wave.end(), time_of(cycle + 200) + 1);  // the clock edge that ends the last cycle
   EXPECT_EQ(wave.at(time_of(cycle), "TOP.raster_top.stamp_valid"), "1");
@@ -240,7 +240,7 @@ TEST_F(FaultyRtl, WithoutAnyRtlAndNoToolsOneLineSaysSo) {
   EXPECT_FALSE(std::filesystem::exists(scratch_.path("cache")));
 }
 
-// A design of one's own: verilated the first time, taken from the cache the second.
+// A user's own design: verilated the first time, taken from the cache the second.
 TEST(DesignFile, IsBuiltOnceAndHoldsThreeWays) {
   const Scratch scratch;
   const Environment cache("PINEDA_CACHE", scratch.path("cache"));

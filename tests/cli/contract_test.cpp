@@ -199,7 +199,7 @@ TEST(Walk, WritesEveryFieldAsJson) {
   EXPECT_EQ(json.at("counters").at("stamps"), 409);
   const Outcome dropped = pineda({"walk", "triangle", "--cull", "front", "--json", "-"});
   const Outcome culled = pineda({"walk", "triangle", "--cull", "back", "--json", "-"});
-  // Its facing is one of the two.
+  // The triangle faces one way, so exactly one of the two cull states drops it.
   EXPECT_NE(Json::parse(dropped.out).contains("dropped"),
             Json::parse(culled.out).contains("dropped"));
 }

@@ -57,7 +57,7 @@ TEST(Error, JudgesEveryDesignAndBaselineUnderFixedKeys) {
   EXPECT_GT(json.at("baselines").at("points").at("coverage").at("missing"), 1000);
 }
 
-// The cycles are those of `pineda time`.
+// The cycles are those that `pineda time` prints.
 TEST(Error, CyclesAreTheCycleModels) {
   const Json json = figures({"error", "triangle", "--design", "high_tile,low"});
   for (const char* name : {"high_tile", "low"}) {
@@ -138,7 +138,7 @@ TEST(Error, BadInputIsOneLineAndNothingIsWritten) {
           "bad.tri:6: expected ");
 }
 
-// A design that some commands do not have is refused by those, with the reason.
+// Commands that cannot use a design refuse it, with the reason.
 TEST(Designs, ExactHasNeitherCyclesNorRtl) {
   for (const char* command : {"time", "rtl", "check"}) {
     EXPECT_TRUE(is_refused(pineda({command, "triangle", "--design", "exact"}), "functional model"))

@@ -85,7 +85,7 @@ TEST(NeedsCommand, TakesAnotherBase) {
   EXPECT_EQ(json.at("base"), "base");
   const std::string design = scratch.write("d.toml", json.at("toml").get<std::string>());
   EXPECT_EQ(figures({"render", text, "--design", design}).at("design"), "two_needs");
-  // A base without a name is not referred to: every parameter is stated.
+  // An unnamed base cannot be referred to, so every parameter is stated.
   EXPECT_NE(json.at("toml").get<std::string>().find("stamp_width_px = 4"), std::string::npos);
 }
 
@@ -99,7 +99,7 @@ TEST(AutoDesign, ReadsStandardInputOnce) {
             dump_of(scratch, {"render", file, "--design", "auto"}));
 }
 
-// And nothing about what the design leaves out: the scene does not need it.
+// Nothing is said about what the design leaves out, since the scene does not need it.
 TEST(AutoDesign, SaysWhatItChose) {
   const Scratch scratch;
   const std::string text = scratch.write("scene.tri", tri_text(two_flat_triangles()));
@@ -108,7 +108,7 @@ TEST(AutoDesign, SaysWhatItChose) {
   EXPECT_NE(run.out.find("--design auto: high_tile with depth_test false"), std::string::npos);
 }
 
-// The whole way: found, verilated, compared at every boundary.
+// All steps: the design is found, verilated, and compared at every boundary.
 TEST(AutoDesign, HoldsThreeWays) {
   const Scratch scratch;
   const Environment cache("PINEDA_CACHE", scratch.path("cache"));

@@ -1,4 +1,4 @@
-// Right answers that a frame must give, whatever the two models agree on.
+// Frames must be right by themselves, not only the same in both models.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace pineda::test {
 namespace {
 
-/// The dump of one command; the other must agree with it.
+/// The dump that one command makes of a scene.
 Dump dump_of(const Scene& scene, const std::string& command = "render") {
   const Scratch scratch;
   const std::string file = scratch.write("scene.ptrb", ptrb_bytes(scene));

@@ -143,7 +143,7 @@ TEST(Json, GoesIntoAPipe) {
   const Scratch scratch;
   const std::string pipe = scratch.path("pipe");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  // Open at both ends all along, so that nobody waits for the other.
+  // Open at both ends from the start, so that neither side blocks while it waits for the other.
   const int ends = open(pipe.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   ASSERT_GE(ends, 0);
   EXPECT_TRUE(ended_silently(pineda({"render", "triangle", "--quiet", "--json", pipe})));

@@ -24,7 +24,7 @@ struct Pipe {
 
 Pipe make_pipe() {
   int ends[2];
-  // Closed on exec: a child that kept the other end would never see the end of its input.
+  // Closed on exec: a child that inherited the other end would never see its input end.
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
   return {ends[0], ends[1]};
 }
@@ -125,7 +125,7 @@ Surroundings inside(const std::string& folder) {
 }
 
 Outcome pineda(const Arguments& arguments, const Surroundings& surroundings) {
-  signal(SIGPIPE, SIG_IGN);  // a program that refuses its input early is no reason to die
+  signal(SIGPIPE, SIG_IGN);  // the program may refuse its input before it is all written
   Pipe in = make_pipe();
   const Pipe err = surroundings.error_is_a_terminal ? make_terminal() : make_pipe();
   Pipe out = make_pipe();

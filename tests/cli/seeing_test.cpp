@@ -1,4 +1,4 @@
-// pineda time's timeline, waveform and heat map: they say what the figures say.
+// pineda time's timeline, waveform and heat map agree with the figures that it prints.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 const std::vector<std::string> kUnits{"setup", "tiles", "stamps", "interp_ztest"};
 
-// Cycles of each unit by cause, "UNIT CAUSE", those without work aside.
+// Cycles of each unit by cause, "UNIT CAUSE", except those without work.
 using Sums = std::map<std::string, int64_t>;
 
 Sums sums_of_figures(const Json& figures) {
@@ -51,7 +51,7 @@ int64_t end_of_timeline(const std::string& path) {
   return end;
 }
 
-// Cycles in which a word stands in a unit's state, by the VCD file.
+// Cycles that each unit spent in each state, by the VCD file.
 Sums sums_of_vcd(const std::string& path) {
   std::istringstream in(read_bytes(path));
   std::map<std::string, std::string> units;  // by code
@@ -184,7 +184,7 @@ TEST_P(SeeingRefusal, IsOneLineAndLeavesNothing) {
   arguments.insert(arguments.end(), GetParam().arguments.begin(), GetParam().arguments.end());
   const Outcome run = pineda(arguments, inside(scratch.path(".")));
   EXPECT_TRUE(is_refused(run, GetParam().says));
-  EXPECT_EQ(run.out, "");  // so it was refused before the frame was drawn
+  EXPECT_EQ(run.out, "");  // refused before the frame was drawn
   EXPECT_EQ(scratch.files(), Arguments{"file"});
   EXPECT_FALSE(std::filesystem::exists(scratch.path("new")));
 }

@@ -1,5 +1,5 @@
-// A program that is ended by a signal leaves nothing unfinished behind, and says by its status that
-// it was.
+// A program that is ended by a signal leaves no unfinished file behind, and its exit status names
+// the signal.
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/wait.h>
@@ -42,7 +42,7 @@ class Running {
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
-  /// Until there is what is waited for; false if the program ends before.
+  /// Waits until there() holds; false if the program ends before.
   bool comes_to(const std::function<bool()>& there) const {
     while (!there()) {
       siginfo_t ended{};
@@ -99,7 +99,7 @@ TEST_P(EverySignal, TakesWhatShowsTimeAlongAndLeavesOlderFiles) {
 
 INSTANTIATE_TEST_SUITE_P(Signal, EverySignal, testing::Values(SIGINT, SIGTERM, SIGHUP));
 
-// The mutant: what nobody removes is seen.
+// The mutant: a signal that cannot be caught leaves the file, and the check sees it.
 TEST(Signal, ThatCannotBeCaughtLeavesTheFile) {
   const Scratch scratch;
   Running rtl({"rtl", "teapot", "--size", "1920x1080", "--trace", scratch.path("rtl.fst")});
@@ -138,7 +138,7 @@ TEST(PluginCache, VerilationEndedByASignalLeavesNoFolder) {
   EXPECT_TRUE(fs::is_empty(cache));
 }
 
-// One stays locked by a living process, here this one; one is not of the cache's making.
+// One folder is locked by a living process, here this one; one was not made by the cache.
 TEST(PluginCache, FoldersOfProcessesThatAreGoneAreSweptAtTheNextStart) {
   const Scratch scratch;
   const std::string cache = scratch.path("cache");
@@ -154,7 +154,7 @@ TEST(PluginCache, FoldersOfProcessesThatAreGoneAreSweptAtTheNextStart) {
   ASSERT_TRUE(killed.comes_to([&] { return verilates(cache, "mine"); }));
   EXPECT_EQ(folders_in(cache).size(), 3u);
   EXPECT_EQ(killed.end_by(SIGKILL), SIGKILL);
-  EXPECT_EQ(folders_in(cache).size(), 3u);  // nobody has removed it
+  EXPECT_EQ(folders_in(cache).size(), 3u);  // SIGKILL: the program could not remove it
 
   Running next({"rtl", "triangle", "--design", scratch.write("next.toml", "depth_bits = 21\n")});
   ASSERT_TRUE(next.comes_to([&] { return verilates(cache, "next"); }));

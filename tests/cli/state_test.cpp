@@ -1,6 +1,6 @@
 // Raster state through the program: every depth function with and without writes and on several
-// cleared depths, scissors, biases and flat shading, before a rasterizer of a few lines in exact
-// arithmetic.
+// cleared depths, scissors, biases and flat shading, compared with a rasterizer of a few lines in
+// exact arithmetic.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,7 +51,8 @@ struct State {
   int64_t clear_code() const {
     return static_cast<int64_t>(std::floor(double{clear} * kClearedDepth + .5));
   }
-  /// Of a cleared frame nothing but samples at one end passes: that is said.
+  /// On a cleared frame, can nothing pass, or only samples at one end of the range? The program
+  /// says so.
   bool lets_little_pass() const {
     const auto passes = [&](int64_t depth) { return function.passes(depth, clear_code()); };
     const bool is_end = clear == 0 || clear == 1;
@@ -97,7 +98,7 @@ std::vector<State> states() {
       ++n;
     }
   }
-  // Depths of the triangles are among them, and one that is not.
+  // Cleared depths that triangles have, too, and one that they do not have.
   for (const Function& f : functions()) {
     for (const float clear : {0.f, .5f, .6875f}) {
       State s{std::string(f.name) + "ClearedTo" + std::to_string(int(clear * 10000)), f, true};
@@ -124,7 +125,7 @@ Scene level_triangles(const State& state) {
   return scene;
 }
 
-/// The dump's own text of a scene has a depth line already: this has that of `state` in its place.
+/// The scene's text without the depth line of the format's default: the scene's state has its own.
 std::string text_of(const Scene& scene) {
   std::string text = tri_text(scene);
   const std::string own = "depth less\n";
@@ -220,8 +221,8 @@ TEST_P(EveryState, RtlDumpsTheBytesOfRenderAndCheckHolds) {
 INSTANTIATE_TEST_SUITE_P(Cli, EveryState, testing::ValuesIn(states()),
                          [](const auto& param) { return param.param.name; });
 
-// The mutants: another function, another cleared depth, no scissor, no bias and smooth shading are
-// seen by the comparison.
+// The mutants: the comparison sees another depth function, another cleared depth, a missing scissor
+// or bias, and smooth shading.
 TEST(EveryStateMutant, AnotherStateGivesAnotherFrame) {
   State state{"", functions()[2]};
   const Scene scene = level_triangles(state);
@@ -284,8 +285,8 @@ TEST(State, OptionsGiveABuiltInSceneTheStateOfAFile) {
   EXPECT_NE(run.err.find("slope factor is taken as 0.30078125"), std::string::npos) << run.err;
 }
 
-// Reversed z: the depths turned round, greater for less and cleared to 0 draw the same picture;
-// what cannot be drawn without the latter is said.
+// Reversed z: depths mirrored, cleared to 0, with greater instead of less draw the same picture.
+// Without the cleared depth nothing passes, which is said.
 TEST(ReversedZ, DrawsThePictureOfLess) {
   const Scratch scratch;
   Scene scene = pile(64, 48, 60, 76);

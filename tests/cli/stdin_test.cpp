@@ -53,8 +53,8 @@ TEST(StandardInput, GivesTheDumpsOfTheFile) {
   }
 }
 
-/// Writes `count` triangles without area, which every model drops at once, piece by piece: memory
-/// of this process would count for its children's.
+/// Writes `count` triangles without area, which every model drops at once. Written piece by piece:
+/// memory of this process would count for its children, too.
 std::string write_long_scene(const Scratch& scratch, uint64_t count) {
   constexpr uint64_t kPiece = 1000;
   Scene scene{8, 8, Cull::kNone, Depth::kLess, {}};
@@ -78,7 +78,7 @@ TEST(StandardInput, NeedsNoMoreMemoryForMoreTriangles) {
       EXPECT_EQ(run.json().at("triangles"), triangles);
       return run.peak_kib;
     };
-    // The file alone grows by 19 MB.
+    // The file grows by 19 MB, so a program that held it would need more.
     EXPECT_LT(peak_kib(400000), peak_kib(5000) + 4000) << command;
   }
 }

@@ -52,7 +52,7 @@ std::vector<std::pair<std::string, int64_t>> parts_of(const Arguments& more) {
   return parts;
 }
 
-// Setup is slow in this design: it hides that the source stalls.
+// Setup is slow in this design, so stalls of the source cost no cycles.
 TEST(StudyCycles, AllIsEveryMemoryAndEveryStallUnlessGiven) {
   const char* expected[] = {"ideal1 none",      "ideal8 none",   "ideal16 none", "dram none",
                             "dram_merged none", "ideal8 source", "ideal8 sink",  "ideal8 both"};
@@ -71,7 +71,7 @@ TEST(StudyCycles, AllIsEveryMemoryAndEveryStallUnlessGiven) {
   EXPECT_EQ(given[1].first, "dram sink");
 }
 
-// The bare RTL was built before.
+// The bare RTL was built before the tests.
 TEST(StudyCycles, MeasuresBothSidesInOneRun) {
   setenv("PINEDA_CACHE", PINEDA_BENCH_CACHE, 1);
   const Json json = figures({"study", "cycles", "--scene", "grid", "--size", "64x48", "--runs", "1",
@@ -107,7 +107,7 @@ TEST(StudyCycles, BunnyIsSmallerWhereTheFrameIsTooLarge) {
   EXPECT_EQ(json.at("rows").at(1).at("width"), 1920);
 }
 
-// Before anything is drawn, whichever design it is of.
+// Refused before anything is drawn, whichever design cannot draw the frame.
 TEST(StudyCycles, FrameThatADesignCannotDrawIsRefused) {
   EXPECT_TRUE(is_refused(pineda({"study", "cycles", "--scene", "triangle", "--designs", "low,tiny",
                                  "--size", "1920x1080", "--runs", "0"}),

@@ -72,9 +72,8 @@ Samples judge_depths(const Scene& scene, const Dump& dump) {
   return samples;
 }
 
-/// Marks the samples whose colour some triangle explains that may be in front there: two depths
-/// within twice the bound of one another may come out either way. Without a depth test it is the
-/// last triangle, and no other.
+/// Marks the samples whose colour is that of some triangle that may be in front: of two depths
+/// within twice the bound either may win. Without a depth test only the last triangle counts.
 void judge_colors(const Scene& scene, const Dump& dump, Samples* samples) {
   for (const Triangle& triangle : scene.triangles) {
     const exact::Judge judge = judge_of(scene, triangle);

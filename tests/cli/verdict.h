@@ -1,4 +1,4 @@
-// A dumped frame before the exact judge.
+// Judges a dumped frame by exact arithmetic.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ struct Dump {
 /// Reads a dump; fails the test when a file has another size than the frame's.
 Dump read_dump(const std::string& folder, const Scene& scene);
 
-/// What a frame holds that exact arithmetic does not allow, and how close the rest came.
+/// Samples of a frame that exact arithmetic contradicts, and the largest errors of the others.
 struct Verdict {
   uint64_t wrong_hits = 0;    // samples covered by another number of triangles
   uint64_t wrong_depths = 0;  // samples whose depth is not that of the triangle in front
@@ -45,12 +45,12 @@ struct Verdict {
 
 std::ostream& operator<<(std::ostream& to, const Verdict& verdict);
 
-/// Judges a dump of a scene without NaN and without perspective. Works for every order and depth
+/// Judges a dump of a scene without NaN and without perspective, in any order and with any depth
 /// function: the depth of a sample must be within the bound of the least exact depth there, its
-/// colour within the bound of that of a triangle which the depths' errors allow to be in front.
+/// colour within the bound of that of a triangle which may be in front, given the errors of depths.
 Verdict judge(const Scene& scene, const Dump& dump);
 
-/// X and Y of the scene outside the guard band, by exact arithmetic.
+/// How many X and Y of the scene lie outside the guard band, by exact arithmetic.
 uint64_t saturated_coordinates(const Scene& scene);
 
 }  // namespace pineda::test

@@ -58,7 +58,8 @@ TEST_P(Accuracy, WithinTheBoundOnEveryCoveredSample) {
   }
   EXPECT_GE(errors.samples, GetParam().least_samples);
   if (GetParam().shape == Shape::kSliver) {
-    // Its samples lie on its corners, where a value is exact but for the bits that are dropped.
+    // A sliver's samples lie on its corners, where values are exact except for dropped fraction
+    // bits.
     record(errors);
     EXPECT_LE(errors.depth_codes, kDepthBoundCodes);
     EXPECT_LE(errors.attr_lsb, kAttrBoundLsb);
@@ -125,7 +126,7 @@ TEST(AccuracyHuge, WorstTrianglesKnownComeNearTheBoundAndKeepIt) {
   }
 }
 
-// Constant and extreme planes keep their value exactly: no clamp is needed to reach 0 and the top.
+// Constant planes keep their value exactly: 0 and the greatest code need no clamp.
 TEST(AccuracyConstant, PlaneOfOneValueIsThatValueEverywhere) {
   Random random(93);
   Errors errors;
@@ -194,8 +195,8 @@ TEST(Coplanar, CodesAreEqualWhereThePlaneIsWholeAtTheCentres) {
   EXPECT_EQ(different, 0);
 }
 
-// Halves may round either way, but never by more than one code: the bound. That some do shows that
-// the comparison sees a difference.
+// At halves a code may round either way, but two codes never differ by more than one: the bound.
+// Some do differ, so the comparison works.
 TEST(Coplanar, CodesDifferByAtMostOneWhereThePlaneIsHalfwayAtTheCentres) {
   const auto [compared, different] = compare_coplanar(false);
   EXPECT_GT(compared, 5000);

@@ -53,7 +53,7 @@ TEST(ClipRows, NothingIsLeftOutsideTheBox) {
   EXPECT_TRUE(core::clip_rows(kContract, 0, 1 << 16, &prim));
 }
 
-// The first tile of a band is not the first of the triangle: forgetting that must be noticed.
+// The mutant: edges that are not moved from the triangle's first tile to the band's are noticed.
 TEST(ClipRows, EdgesLeftWhereTheyWereAreCaught) {
   spec::SetupPrim prim;
   const auto t = triangle({0, 0}, {60 * kPx, 0}, {0, 40 * kPx});

@@ -11,7 +11,8 @@ using spec::DepthFunc;
 
 constexpr spec::FrameState frame(DepthFunc func) { return {31, 23, spec::Cull::kNone, func}; }
 
-// A slanted triangle whose depth and one colour vary; `color` marks it in another.
+// A slanted triangle with varying depth and one varying colour; `color` marks the triangle by
+// another.
 spec::Triangle slanted(int color) {
   spec::Triangle t = triangle({100, 50}, {7500, 900}, {1500, 5700});
   const std::array<int64_t, 3> z{1000000, 4000000000, 123456789};

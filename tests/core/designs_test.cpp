@@ -52,11 +52,11 @@ std::vector<spec::Design> all_designs() {
   return all;
 }
 
-// Bound of the depth error in codes: reciprocal, gradients over the guard band's square, steps in a
-// tile, the input's fraction and the final rounding.
+// Bound of the depth error in codes: errors of the reciprocal, of gradients across the guard band's
+// square, of steps in a tile, of the input's fraction, and the final rounding.
 double depth_bound_codes(const spec::Design& d) {
   const double first_guess = .625 * std::ldexp(1.0, -d.reciprocal_lut_bits);
-  // A unit at most by rounding or saturating, half of one by truncations on the way.
+  // Up to one unit by rounding or saturation, and half a unit by truncation in between.
   const double reciprocal =
       std::pow(first_guess, 1 << d.reciprocal_newton_steps) + std::ldexp(1.5, -d.reciprocal_bits);
   const int tile = 1 << d.tile_log2;
@@ -119,7 +119,7 @@ TEST_P(EveryDesign, CoverageIsExactAndDepthKeepsItsBound) {
   EXPECT_GE(error, d.depth_test ? .45 : 0);
 }
 
-// The bound is no free pass: the default's is the documented one.
+// The bound is not too generous: the default design's is the documented one.
 TEST(EveryDesignBound, OfTheDefaultIsTheDocumentedOne) {
   EXPECT_NEAR(depth_bound_codes(spec::kHighTile), .68, .01);
 }

@@ -24,7 +24,7 @@ struct Fragments {
   }
 };
 
-// Halves round up: an error of -1/2 cannot be, one of +1/2 can.
+// Halves round up, so the error may be +1/2 but not -1/2.
 void expect_nearest(double error) {
   EXPECT_GT(error, -.5);
   EXPECT_LE(error, .5);
@@ -64,7 +64,7 @@ TEST(ExactPlanes, EveryCodeIsTheNearest) {
     }
   }
   EXPECT_GT(samples, 100000);
-  EXPECT_GT(worst, .4999);  // rounding costs up to a half, so that much was looked at
+  EXPECT_GT(worst, .4999);  // errors up to a half occur, so the test saw the worst
 }
 
 // Halfway between 0 and 1 at every sample of the middle column: up.

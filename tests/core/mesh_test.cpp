@@ -130,8 +130,8 @@ TEST(SharedEdgeMeshShift, MutantBiasAfterTheShiftLeavesHoles) {
   EXPECT_GT(count(mesh, Rule::kShiftFirst).holes, 5);
 }
 
-// A corner at the snapped middle of a neighbour's edge lies up to half a subpixel off the edge: the
-// crack is legal, and it is just the triangle between the edge and the corner.
+// A corner at the snapped middle of a neighbour's edge lies up to half a subpixel off the edge. The
+// crack is legal: it is exactly the triangle between the edge and the corner.
 TEST(TJunction, HitsDifferFromOneOnlyInsideTheSliver) {
   constexpr spec::FrameState kFrame{256, 256, spec::Cull::kNone, spec::DepthFunc::kLess};
   Random random(22);

@@ -19,8 +19,8 @@ spec::Design persp(int attribute_bits) {
   return d;
 }
 
-/// A random triangle with w's up to `ratio` apart and colours at extremes or anywhere: for the
-/// judge as floats, for the core snapped.
+/// A random triangle with w's up to `ratio` apart and colours at extremes or anywhere: as floats
+/// for the judge, snapped for the core.
 struct Pair {
   exact::ScreenTriangle screen;
   spec::Triangle snapped;
@@ -91,14 +91,15 @@ TEST_P(Ratio, ColorsAreWithinTheBoundWhateverIt) {
   EXPECT_GT(error, .49);
 }
 
-// 16 bits show the error behind the rounding: no more at a ratio of 1e6 than at 4.
+// With 16 bits the error before rounding shows: it is no greater at a ratio of 1e6 than at 4.
 TEST_P(Ratio, SixteenBitsAreWithinTheBoundWhateverIt) {
   const double error = worst(persp(16), GetParam(), 300);
   EXPECT_LE(error, spec::error_bounds(persp(16)).attribute_lsb);
   EXPECT_GT(error, .49);
 }
 
-// The bound says something: eight bits of 1/w are beyond that of twenty, and within their own.
+// The bound is not too generous: with eight bits of 1/w errors exceed the bound of twenty, not
+// their own.
 TEST(Perspective, CoarseInverseWBreaksTheBound) {
   spec::Design coarse = persp(16);
   coarse.inverse_w_bits = 8;
@@ -108,7 +109,7 @@ TEST(Perspective, CoarseInverseWBreaksTheBound) {
   EXPECT_GT(error, .4 * spec::error_bounds(coarse).attribute_lsb);
 }
 
-// And the judge too: affine values are far from corrected ones.
+// The judge can fail, too: affine values are far from perspective-correct ones.
 TEST(Perspective, AffineValuesAreFarOff) { EXPECT_GT(worst(persp(8), 1e3, 60, true), 100); }
 
 // Low designs keep their own bounds: k = 19 bits, one Newton step.
@@ -144,7 +145,7 @@ TEST(Perspective, WeightsByHand) {
   EXPECT_EQ(renderer.buffer().color[0], 0);
 }
 
-// A vertex far behind the others: its own corner only.
+// A vertex far behind the others: it gives the value at its own corner only.
 TEST(Perspective, GreatestRatioOfAllFloats) {
   const spec::Contract c = spec::contract(persp(8));
   spec::Triangle t = triangle({0, 0}, {40 * kPx, 0}, {0, 40 * kPx});

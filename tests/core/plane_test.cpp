@@ -1,4 +1,5 @@
-// Planes: wrapping is harmless at covered samples, codes do not move with the triangle.
+// Planes: wrapping does not show at covered samples; codes stay when a triangle moves by whole
+// tiles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +24,8 @@ struct WidePlane {
   int y;
 };
 
-// `early_bits` wraps the gradients before the reference is formed (0: never): a mutant.
+// `early_bits`: the mutant wraps the gradients to so many bits before the reference is formed; 0:
+// never.
 WidePlane wide_plane(const spec::Triangle& t, const spec::SetupPrim& prim,
                      const std::array<int64_t, 3>& value, int fraction_bits, int early_bits = 0) {
   const spec::Design& d = kContract.design;
@@ -114,8 +116,8 @@ TEST(PlaneWrap, StepsEqualEvaluationAtFullWidth) {
   EXPECT_EQ(result.different, 0);
 }
 
-// The reference lies a fraction of a pixel from the anchor: gradients that wrap to the plane's
-// width before it is formed give other codes.
+// The mutant: the reference lies a fraction of a pixel from the anchor, so gradients that wrap to
+// the plane's width before the reference is formed give other codes.
 TEST(PlaneWrap, MutantThatWrapsBeforeTheReferenceIsCaught) {
   EXPECT_GT(compare_steep(kContract.width.depth_plane).different, 50);
 }

@@ -12,7 +12,7 @@ struct ShapeCase {
   const char* name;
   Shape shape;
   int count;
-  int least_drawn;  // triangles that cover a sample, so that the test is not idle
+  int least_drawn;  // least number of triangles that cover a sample
 };
 
 class RandomCoverage : public testing::TestWithParam<ShapeCase> {};

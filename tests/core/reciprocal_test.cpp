@@ -109,7 +109,8 @@ TEST(Reciprocal, ThirdByHand) {
   EXPECT_NEAR(static_cast<double>(r.mantissa), 0x1p31 / 3, 1.0);
 }
 
-// Without a step the mantissa is the ROM's entry and its leading 1, wherever the index bits lie.
+// Without Newton steps the mantissa is the ROM's entry with its leading 1, for every number of
+// index bits.
 TEST(Reciprocal, FirstGuessIsTheEntryOfEveryRom) {
   spec::Design design = spec::kHighTile;
   design.reciprocal_newton_steps = 0;

@@ -15,7 +15,7 @@ namespace {
 using core::Drop;
 using spec::int128_t;
 
-/// What a definition may get wrong: mutants that the comparison must catch.
+/// Faults planted in the definition, which the comparison must catch.
 enum class Fault {
   kNone,
   kHalvesDown,      // gradients round halves down
@@ -30,14 +30,14 @@ int128_t floor_div(int128_t value, int128_t by) {
   return value % by < 0 ? quotient - 1 : quotient;
 }
 
-// A triangle in canonical order, and what its planes and edges refer to.
+// The definition of setup: a triangle in canonical order and its derived values.
 struct Definition {
   const spec::Contract& c;
   const spec::FrameState& frame;
   const spec::Triangle& t;
   Fault fault;
   std::array<const spec::Vertex*, 3> v{};
-  int128_t area2 = 0;  // as it came, positive when clockwise
+  int128_t area2 = 0;  // in the scene's vertex order, positive when clockwise
   std::array<int, 4> box{};
   int64_t x = 0;  // the first sample of the box's first tile, subpixels
   int64_t y = 0;
@@ -122,7 +122,7 @@ struct Definition {
             spec::wrap(floor_div(at_ref + px() / 2, px()), bits)};
   }
 
-  // Of the vertex itself, or of the first one of the scene.
+  // The attribute of the vertex or, with flat shading, of the scene's first vertex.
   int64_t attribute(size_t vertex, size_t i) const {
     return frame.shade == spec::Shade::kFlat ? t.v[0].attr[i] : v[vertex]->attr[i];
   }

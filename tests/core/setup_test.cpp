@@ -57,7 +57,7 @@ TEST(Culling, ZeroAreaDrawsNothingAndIsCounted) {
   }
 }
 
-// One unit of area is not zero: the check above is about the area, not about slimness.
+// One unit of area is not zero: what counts is area, not how thin a triangle is.
 TEST(Culling, OneUnitOfAreaIsNotZero) {
   EXPECT_EQ(drop_of(kFrame, triangle({128, 128}, {1152, 1152}, {1151, 1151})), Drop::kZeroArea);
   EXPECT_EQ(drop_of(kFrame, triangle({128, 128}, {1153, 1152}, {1152, 1151})), Drop::kNone);
@@ -146,7 +146,7 @@ TEST(CanonicalOrder, AllSixVertexOrdersGiveIdenticalBits) {
   EXPECT_GT(compared, 5000);
 }
 
-// The comparison can fail: a value moved to another vertex is another triangle.
+// The comparison can fail: with depths swapped between vertices it is another triangle.
 TEST(CanonicalOrder, MutantWithSwappedDepthsIsToldApart) {
   spec::Triangle t = kClockwise;
   t.v[0].z = 1000;
@@ -173,7 +173,7 @@ TEST(GuardBand, ExtremeCornersCoverTheWholeFrameWithoutWrapping) {
   EXPECT_EQ(hits.count(1), 641 * 479);
 }
 
-// The same in 32 bits is wrong: the test above tells a wrapped edge from a right one.
+// The mutant: edges of 32 bits wrap, and the test above sees it.
 TEST(GuardBand, MutantWithEdgesOf32BitsIsCaught) {
   const spec::Triangle t =
       triangle({kGuardLow, kGuardLow}, {kGuardHigh, kGuardLow}, {kGuardHigh, kGuardHigh});

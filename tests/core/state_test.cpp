@@ -68,14 +68,14 @@ TEST(DepthWrite, OffTestsAndColorsButKeepsTheDepth) {
   frame.depth_write = false;
   core::Renderer renderer(kContract, frame);
   renderer.draw(sheet(500, 1));
-  renderer.draw(sheet(900, 2));  // before the clear value, so it passes too
+  renderer.draw(sheet(900, 2));  // depth is still cleared, so it passes, too
   EXPECT_EQ(renderer.buffer().depth[0], 0xffffffu);
   EXPECT_EQ(renderer.buffer().color[0], 2);
   EXPECT_EQ(renderer.counters().passed, 2u * 24 * 20);
 }
 
-// Each function on depth cleared to the nearest, the middle and the farthest, by hand: sheets at
-// the ends, in the middle and beside it, one by one. By stamps and by whole tiles.
+// By hand: each function on depth cleared to the nearest, the middle and the farthest. Sheets at
+// the ends, in the middle and beside it are drawn one by one. By stamps and by whole tiles.
 TEST(ClearDepth, EachFunctionComparesWithIt) {
   const int64_t middle = 1 << 23;
   const int64_t top = (1 << 24) - 1;
@@ -106,7 +106,7 @@ TEST(ClearDepth, EachFunctionComparesWithIt) {
   EXPECT_EQ(seen, 6 + (6 + 3) + 15 + 0 + 3 + 6 + (6 + 6) + (3 + 6) + 15);
 }
 
-// Attributes are interpolated where something is seen, and nowhere else.
+// Attributes are interpolated only for samples that pass the depth test.
 TEST(EarlyDepth, HiddenStampsAreNotInterpolated) {
   core::Renderer renderer(kContract, kSmall);
   renderer.draw(sheet(500, 1));
@@ -117,7 +117,7 @@ TEST(EarlyDepth, HiddenStampsAreNotInterpolated) {
   EXPECT_EQ(renderer.counters().stamps, 8 * seen);
 }
 
-// The same samples with the same values, those outside left out.
+// The scissor cuts samples away; the others keep their values.
 TEST(Scissor, CutsAndChangesNothingElse) {
   Random random(31);
   uint64_t outside = 0;
@@ -223,7 +223,7 @@ TEST(DepthBias, ClampsAtBothEndsOfTheRangeAndNeverWraps) {
       frame.depth = DepthFunc::kAlways;
       frame.bias_constant = constant;
       frame.bias_slope = factor;
-      // A cliff: its gradient alone is beyond every range.
+      // A triangle so steep that its gradient alone exceeds every range.
       spec::Triangle t = triangle({-kPx, -kPx}, {30 * kPx, -kPx}, {30 * kPx, 30 * kPx + 1});
       t.v[0].z = kMaxDepthInput;
       if (factor == 0) t = sheet(1 << 23, 0);

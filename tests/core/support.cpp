@@ -86,7 +86,7 @@ void HitMap::draw(const spec::Triangle& t, Rule rule) {
   spec::SetupPrim prim;
   if (core::setup(kContract, frame_, t, &prim) != core::Drop::kNone) return;
   if (rule != Rule::kTopLeft) {
-    // A rule that counts samples on right and bottom edges needs the box to reach them.
+    // The mutant rules count samples on right and bottom edges, so the box must include these.
     prim = with_rule(prim, t, rule);
     prim.x1 = std::min(prim.x1 + 1, frame_.width - 1);
     prim.y1 = std::min(prim.y1 + 1, frame_.height - 1);

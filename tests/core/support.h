@@ -67,8 +67,8 @@ struct Errors {
 void measure(const spec::FrameState& frame, const spec::Triangle& t, Errors* errors,
              int stride = 1);
 
-/// How an edge may treat samples on it; only kTopLeft is right. kShiftFirst is the top-left rule
-/// with its bias applied after the shift, as a hasty reader of the rule would.
+/// How an edge treats samples on it; only kTopLeft is right. kShiftFirst is the top-left rule with
+/// its bias added after the shift, which is an easy mistake.
 enum class Rule { kTopLeft, kInclusive, kStrict, kShiftFirst };
 
 /// `prim` with the edges of `t` set up by `rule`: mutants that a check must catch.

@@ -121,7 +121,8 @@ TEST(TopLeftRule, FanMutantInclusiveHitsItsHubByEveryTriangle) {
   EXPECT_EQ(hits.at(8, 8), 4);
 }
 
-// Doubled areas of one to four units: the corner on a pixel centre may be all that is covered.
+// Doubled areas of one to four units: such a triangle may cover just the pixel centre at its
+// corner.
 TEST(TopLeftRule, SliverOfOneUnitDrawsTheSampleItOwns) {
   Random random(12);
   int drawn = 0;

@@ -78,7 +78,7 @@ TEST(OddFrame, FullScreenTriangleFillsEverySampleOnce) {
   for (const uint16_t h : renderer.buffer().hits) ASSERT_EQ(h, 1);
 }
 
-// The order check can fail: the same triangle twice starts again at the first stamp.
+// The order check can fail: the same triangle drawn twice starts again at its first stamp.
 TEST(OddFrame, MutantStreamOutOfOrderIsCaught) {
   OrderSink sink;
   sink.frame = kWindow;
@@ -182,8 +182,8 @@ TEST(StampWalk, TestsCountsTheWholeTileAtTwoByTwo) {
   EXPECT_EQ(calls, 3);
 }
 
-// Equilateral triangles of a given area (px^2) at random places and angles: shares of those whose
-// box, and of those which themselves, hold no sample.
+// Equilateral triangles of a given area (px^2) at random places and angles: the share whose box
+// holds no sample, and the share that hold none themselves.
 struct Shares {
   double empty_box = 0;
   double empty = 0;

@@ -28,8 +28,8 @@ Point ray(int x, int y) {
   return {Rational(2 * x + 1, kWidth) - 1, 1 - Rational(2 * y + 1, kHeight), Rational(1)};
 }
 
-// The ray of a sample and a triangle: weights of the corners at the point that it hits, and where
-// that is along the ray.
+// Where a sample's ray meets a triangle's plane: the corners' weights there, and the place along
+// the ray.
 struct Crossing {
   bool exists = false;
   std::array<Rational, 3> weight;  // they sum to 1
@@ -78,8 +78,8 @@ class Corners {
  public:
   explicit Corners(uint64_t seed) : random_(seed) {}
 
-  // In front of the eye and behind it, near and far; now and then on a grid of few points, where
-  // edges run through samples and corners fall together.
+  // Corners in front of the eye and behind it, near and far; now and then on a coarse grid, so that
+  // edges run through samples and corners coincide.
   ClipCorner next() {
     if (random_.bits() % 3 == 0) {
       const auto grid = [&] { return static_cast<int>(random_.bits() % 9) - 4; };
@@ -108,7 +108,7 @@ TEST(FaceJudge, TrianglesInFrontOfTheEyeAndBehindItAreHitWhereTheRayHits) {
     const auto all = judged(judge);
     const Rational area = determinant(point(t[0]), point(t[1]), point(t[2]));
     ASSERT_EQ(judge.facing(), area.sign());
-    if (area == 0) continue;  // on its line a sample may be hit; see below
+    if (area == 0) continue;  // a sample on its line may be hit; see below
     const bool crosses = std::any_of(t.begin(), t.end(), [](const auto& c) { return c.w <= 0; });
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
@@ -154,7 +154,7 @@ TEST(FaceJudge, ValuesAreThoseWhereTheRayHits) {
   EXPECT_GT(compared, 300);
 }
 
-// A plane through three points; further corners of a star lie in it.
+// A star in a random plane through three points.
 std::vector<ClipCorner> star(Corners* random, size_t corners) {
   const ClipCorner o{.2 * random->number(), .2 * random->number(), .5, 1 + .2 * random->number()};
   const auto direction = [&] {
@@ -175,8 +175,8 @@ std::vector<ClipCorner> star(Corners* random, size_t corners) {
   return polygon;
 }
 
-// Signed hits of the fan's triangles: what a polygon's winding number is, also where it is concave
-// and where a part of it lies behind the eye.
+// The signed hits of the fan's triangles add up to a polygon's winding number, also where it is
+// concave and where a part of it lies behind the eye.
 TEST(FaceJudge, ConcavePolygonIsHitAsItsSignedTrianglesSay) {
   Corners random(3);
   int inside = 0, behind = 0, hollow = 0;
@@ -216,13 +216,14 @@ ClipCorner at_px(double x, double y) { return {2 * x / kWidth - 1, 1 - 2 * y / k
 TEST(FaceJudge, SamplesInTheBandOfAnEdgeMayBeHitOrNotAndNoOthers) {
   MeshFrame frame{kWidth, kHeight};
   frame.band = 1 << (MeshFrame::kBandFractionBits - 2);  // a quarter of a px
-  // The diagonal leaves out the samples .5 px beside it and takes those .2 px beside it.
+  // The edge's band is a quarter of a px: samples .5 px beside the diagonal lie outside, those .2
+  // px beside it inside.
   for (const double shift : {.2, .8}) {
     const FaceJudge judge({at_px(-40, -40 + shift), at_px(80, 80 + shift), at_px(-40, 80)}, frame);
     const auto all = judged(judge);
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
-        const double above = x + shift - y;  // of the edge, in px down
+        const double above = x + shift - y;  // distance from the edge, in px down
         const int wanted = std::abs(above) <= .5 ? FaceJudge::kEither : above < 0 ? 1 : 0;
         ASSERT_EQ(all[static_cast<size_t>(y * kWidth + x)], wanted) << x << " " << y;
       }
@@ -257,7 +258,8 @@ TEST(FaceJudge, CulledFacesAreHitNowhereAndTheScissorEndsAll) {
 }
 
 TEST(FaceJudge, CornersOfAnyExponentAreDecidedExactly) {
-  // Scaling a corner, its w too, moves nothing: the edge through sample centres stays there.
+  // Scaling all four coordinates of a corner moves nothing: the edge through sample centres stays
+  // there.
   for (const int exponent : {-900, -300, 0, 300}) {
     std::vector<ClipCorner> t = {at_px(.5, .5), at_px(15.5, 15.5), at_px(.5, 15.5)};
     for (size_t i = 0; i < t.size(); ++i) {
@@ -281,7 +283,7 @@ TEST(Flattened, MovesCornersIntoThePlaneAndSaysHowFarThatIsSeen) {
   EXPECT_GT(flat.moved_px, 1e-4);
   EXPECT_LT(flat.moved_px, 1e-2);
   EXPECT_LT(flattened(flat.corner, frame).moved_px, 1e-12);
-  // Behind the eye it is seen nowhere, unless it is plane.
+  // With all corners behind the eye no distance can be given, unless the polygon is planar.
   for (ClipCorner& c : quad) c.w -= 2;
   EXPECT_TRUE(std::isinf(flattened(quad, frame).moved_px));
   quad[2].w -= 1e-3;

@@ -33,8 +33,8 @@ Rational edge(const Position& u, const Position& w, const Position& p) {
   return (w.x - u.x) * (p.y - u.y) - (w.y - u.y) * (p.x - u.x);
 }
 
-// Does the sample belong to the triangle, by the textbook rule? `inclusive` counts samples on every
-// edge: the mutant.
+// Does the sample belong to the triangle, by the textbook rule? `inclusive`, the mutant, counts
+// samples on every edge.
 bool inside(std::array<Position, 3> v, const Position& p, bool inclusive = false) {
   const Rational area = edge(v[0], v[1], v[2]);
   if (area == 0) return false;

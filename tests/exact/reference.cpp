@@ -89,7 +89,7 @@ Rational Reference::barycentric(size_t i, const Point& p) const {
 }
 
 Rational Reference::z(int x, int y) const {
-  // The plane goes on beyond the triangle.
+  // These samples may lie outside the triangle: the slope is that of the plane.
   const Rational dx = abs(plane(1, 0) - plane(0, 0));
   const Rational dy = abs(plane(0, 1) - plane(0, 0));
   const Rational slope = fault_ == Fault::kSlopesSummed ? Rational(dx + dy) : std::max(dx, dy);

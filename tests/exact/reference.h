@@ -1,5 +1,5 @@
-// What the judge must say of a triangle of floats, in rationals: every definition written down
-// literally and slowly. A fault can be planted, to show that a comparison sees it.
+// What the judge must say of a triangle of floats, in rationals: every definition written
+// literally, without regard to speed. Faults can be planted, to show that a comparison sees them.
 #pragma once
 
 #include <array>

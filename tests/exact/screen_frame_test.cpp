@@ -1,4 +1,4 @@
-// A whole frame judged: a crossed-out sheet of jittered cells, counted sample by sample.
+// A whole frame judged sample by sample: a sheet of jittered cells, each split into triangles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ ScreenVertex corner(int column, int row) {
 struct Counts {
   std::vector<int> hits = std::vector<int>(size_t{kWidth} * kHeight);
   int64_t samples = 0;  // as the snapped judge counts them
-  int64_t outside = 0;  // values that leave the range of the vertices'
+  int64_t outside = 0;  // values outside the range of the vertices'
 };
 
 bool within(const Value& v, int low, int high) {

@@ -1,4 +1,4 @@
-// The judge from floats on, against the rationals of reference.h.
+// The judge from floats on, compared with the rationals of reference.h.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -118,7 +118,7 @@ bool equals(const Value& value, const Rational& exact) {
          value.fraction >= 0 && value.fraction < 1 && abs(off) <= Rational(0x1p-53);
 }
 
-// What was compared, and where the two differ.
+// How many samples were compared, and how many differ.
 struct Tally {
   int covered = 0;
   int outside = 0;
@@ -137,7 +137,7 @@ void compare_values(const Sample& s, const Reference& reference, Tally* tally) {
   }
 }
 
-// Looks at both ends of the span, at both sides of each, around `middle` and anywhere.
+// Compares both ends of the span, the samples beside them, some around `middle` and random ones.
 void compare_row(const ScreenJudge& judge, const Reference& reference, int y, int middle,
                  Random* random, Tally* tally) {
   std::vector<Sample> row;
@@ -255,7 +255,7 @@ TEST_P(ScreenRandom, CoverageAndValuesEqualRationals) {
   EXPECT_GE(tally.outside, 40);
 }
 
-// Each planted fault is seen where it acts, and only there.
+// Each planted fault is seen where it has an effect, and nowhere else.
 TEST(ScreenRandomMutant, InclusiveEdges) {
   const Tally tally = compare_random(half_pixels, kDefault, Fault::kInclusiveEdges, 40);
   EXPECT_GT(tally.coverage_differs, 10);

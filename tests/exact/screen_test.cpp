@@ -95,8 +95,8 @@ TEST(ScreenValues, EqualWsAreAffine) {
   expect_value(sample(t, 3, 0).perspective[0], 0, .75, 1);
 }
 
-// 1/w differs by 2^253. Red at (1,1) would be the mean of the last two vertices but for the first,
-// which moves it by less than 2^-240: enough to leave a whole number or a half.
+// The w's differ by 2^253. Red at (1,1) would be the mean of the last two vertices; the first one
+// changes it by less than 2^-240, which is enough to leave a whole number or a half.
 TEST(ScreenValues, WsFarthestApartDecideWholeAndNearest) {
   const std::array<float, 3> w{0x1p127f, 0x1p-126f, 0x1p-126f};
   const auto red = [&](const std::array<int, 3>& r) {
@@ -150,8 +150,9 @@ TEST(ScreenValues, AttributesOfTheFormatOnly) {
 }
 
 TEST(ScreenSnapping, TiesGoToEvenBeforeTheTopLeftRule) {
-  // A left edge half a subpixel to either side of the centres of column 0 lands on them; one and a
-  // half to their right it lands beyond, and takes the slanted edge beyond the centres of its own.
+  // A left edge half a subpixel to either side of the centres of column 0 snaps onto them. One and
+  // a half subpixels to their right it snaps beyond them, and the slanted edge beyond the centres
+  // on it.
   for (const float x : {0.5f - 0x1p-9f, 0.5f + 0x1p-9f}) {
     ScreenTriangle t = corner();
     t[0].x = t[2].x = x;

@@ -116,7 +116,7 @@ TEST(DepthInput, OutsideIsClampedAndSaid) {
   }
 }
 
-// Also the proof that the check can fail: single precision gets about half of these wrong.
+// The mutant, too: in single precision about half of these are wrong.
 TEST(DepthInput, FloatsNearOneAreRoundedOnceAndSinglePrecisionIsNot) {
   pineda::spec::Random random(3);
   int single_differs = 0;

@@ -15,7 +15,7 @@ namespace {
 using core::Drop;
 using fast::Planes;
 
-/// `prim` with what it need not have as `all` has it.
+/// `prim`, with the fields that `planes` did not ask for taken from `all`.
 spec::SetupPrim completed(spec::SetupPrim prim, const spec::SetupPrim& all, Planes planes) {
   if (planes == Planes::kNone) prim.planes = all.planes;
   if (planes == Planes::kDepth) {
@@ -75,7 +75,7 @@ TEST(FastSetup, EqualsCoreInEveryNamedDesignAndAtTheLimitsOfWords) {
       }
     });
   }
-  // Both ways to make planes of attributes.
+  // Both ways to compute planes of attributes are tested.
   EXPECT_GE(narrow, 5);
   EXPECT_GE(static_cast<int>(all.size()) - narrow, 5);
 }
@@ -112,7 +112,7 @@ TEST(FastSetup, EqualsCoreInRandomDesigns) {
   EXPECT_EQ(valid, 120);
 }
 
-// A numerator of 32 bits and a product of 64 are the most that planes side by side take.
+// Planes side by side take numerators up to 32 bits and products up to 64.
 TEST(FastSetup, NarrowAttributesEndWhereWordsDo) {
   const auto is_narrow = [](const spec::Design& d) {
     return fast::has_narrow_attributes(spec::contract(d));

@@ -12,7 +12,7 @@ namespace {
 
 using Test = core::TileWalk::Test;
 
-/// What a walk finds, flat, so that two of them compare.
+/// What a walk finds, in flat lists that can be compared.
 struct Walk {
   std::vector<std::array<int64_t, 3>> stamps;  // x, y, mask
   std::vector<int> kept;                       // number of each tile that is kept
@@ -115,7 +115,7 @@ TEST_P(TileCover, EqualsStampByStampForStampsOfEveryShape) {
           if (random.between(0, 2) == 0) continue;
           v.x = static_cast<int>(random.between(-1000, 140 * kPx));
           v.y = static_cast<int>(random.between(-1000, 140 * kPx));
-          // Half of them on centres and between: edges then pass through the corners of tiles.
+          // Half of them have corners on or between centres: edges then meet corners of tiles.
           if (n % 2 == 0) continue;
           v.x = v.x / kHalfPx * kHalfPx;
           v.y = v.y / kHalfPx * kHalfPx;
@@ -136,7 +136,7 @@ TEST_P(TileCover, EqualsStampByStampForStampsOfEveryShape) {
   EXPECT_GT(full, 50);
 }
 
-// A left edge through the first column of samples of its tiles: 0 there, and accepted.
+// A left edge through the first column of samples of its tiles: E is 0 there, and accepts the tile.
 TEST_P(TileCover, AnEdgeThroughCornerSamplesAcceptsTheTile) {
   spec::Design d = spec::kHighTile;
   d.tile_log2 = GetParam();

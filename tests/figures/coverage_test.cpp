@@ -1,4 +1,4 @@
-// Each figure of coverage is what it says.
+// Each shape in model/figures/coverage.h has the geometry that it promises.
 #include "model/figures/coverage.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace pineda::figures {
 namespace {
 
-// How often each edge is walked, less how often the other way: what is left is the border.
+// How often each edge is walked, less how often the other way round: nonzero edges are the border.
 using Edges = std::map<std::array<int64_t, 4>, int>;
 void walk(const Corners& t, Edges* edges) {
   for (size_t i = 0; i < 3; ++i) {
@@ -102,7 +102,7 @@ TEST(TJunction, HalvesMeetHalfASubpixelOffTheEdgeAtTheMost) {
     EXPECT_EQ(whole[1], second[1]);
     EXPECT_EQ(first[1], second[0]);
     EXPECT_EQ(first[2], second[2]);
-    // The crack: what the halves do not take of the triangle on their side.
+    // The crack is what the two halves lack of the triangle on their side.
     EXPECT_EQ(area2(first) + area2(second) - area2({t.a, t.b, t.split}),
               area2({t.a, t.middle(), t.b}));
   }

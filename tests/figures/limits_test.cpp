@@ -1,4 +1,4 @@
-// Each figure at a limit is what it says.
+// Each shape in model/figures/limits.h has the geometry that it promises.
 #include "model/figures/limits.h"
 
 #include <gtest/gtest.h>

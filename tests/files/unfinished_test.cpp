@@ -1,4 +1,4 @@
-// What a signal takes along, and what it leaves: each case in a process of its own.
+// Which files a signal removes and which it leaves: each case in a process of its own.
 #include "model/files/unfinished.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kWentOn = 7;  // exit code of a process that lived through its signal
+constexpr int kWentOn = 7;  // exit code of a process that its signal did not end
 
 /// A folder of its own, removed with all it holds.
 class Folder {
@@ -91,7 +91,7 @@ TEST_P(EverySignal, LeavesWhatIsFinished) {
   EXPECT_FALSE(folder.has("second"));
 }
 
-// As under nohup, or behind an & in a script.
+// Ignored signals stay ignored, as under nohup or behind an & in a script.
 TEST_P(EverySignal, StaysIgnoredWhereItWas) {
   const Folder folder;
   EXPECT_EQ(end_of([&] {
@@ -148,14 +148,14 @@ TEST_P(EverySignal, HeldEndsTheProgramOnceTheWorkIsPutAway) {
 
 INSTANTIATE_TEST_SUITE_P(Unfinished, EverySignal, testing::Values(SIGINT, SIGTERM, SIGHUP));
 
-// While paths are removed other signals come, of lower numbers and of higher ones.
+// Further signals, of lower and of higher numbers, come while paths are removed.
 TEST(Unfinished, ManySignalsAtOnceEndTheProgramToo) {
   const Folder folder;
   const auto under_fire = [&](const std::function<void()>& wait) {
     remove_unfinished_on_signals();
     std::list<Unfinished> many;
     for (int i = 0; i < 20000; ++i) many.emplace_back(folder.at(std::to_string(i)));
-    alarm(60);  // ends what hangs
+    alarm(60);  // ends a test that hangs
     const pid_t program = getpid();
     if (fork() == 0) {
       while (getppid() == program) {
@@ -178,7 +178,7 @@ TEST(Unfinished, ManySignalsAtOnceEndTheProgramToo) {
   }
 }
 
-// The mutant: without the handler the file stays, and is seen.
+// The mutant: without the handler the file stays, and the test sees it.
 TEST(Unfinished, StaysWithoutAHandler) {
   const Folder folder;
   EXPECT_EQ(end_of([&] {

@@ -1,4 +1,5 @@
-// One reader of files fed by libFuzzer: whatever the bytes, a scene or one clear line.
+// One reader of files under libFuzzer: for any bytes it gives a scene or a message of one clear
+// line.
 //
 // FUZZ_ENDING is the ending of the file that the bytes become, ".obj" for instance.
 #include <stdlib.h>
@@ -49,7 +50,7 @@ void require(bool holds, const char* what) {
   std::abort();
 }
 
-/// One line, as short as a person reads, without anything that a terminal does not print.
+/// The message must be one line, short, and printable.
 void check_message(const std::string& message) {
   require(!message.empty() && message.size() < 1500, "a message of one line");
   for (const char c : message) require(c >= ' ' && c <= '~', "a message that can be printed");
@@ -64,7 +65,8 @@ void read_design(const std::string& path) {
   }
 }
 
-/// What the input does not say itself: the same for the same bytes, so that a finding is repeated.
+/// Options that the input does not state, derived from its bytes, so that a finding can be
+/// repeated.
 scene::Options options_of(std::string_view bytes) {
   constexpr std::string_view kEnding = FUZZ_ENDING;
   scene::Options options;

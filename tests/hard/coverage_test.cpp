@@ -1,4 +1,4 @@
-// The right answers of the coverage cases, each by a rule of its own.
+// The right answers of the coverage cases, each computed by a rule of its own.
 #include <algorithm>
 #include <cmath>
 
@@ -42,7 +42,8 @@ TEST(NearPlane, HitsEverySampleOnce) {
   const Snapped scene = snapped("near_plane");
   EXPECT_EQ(hit_map(scene).count(1), samples_of(scene.frame));
   EXPECT_EQ(scene.counters.z_clamped, 0u);
-  // Pieces share the number of their triangle; cut vertices lie on the plane itself, z = 0.
+  // Pieces of a clipped triangle share its number; vertices made by clipping lie on the plane, z =
+  // 0.
   int pieces = 0, cut = 0;
   for (size_t i = 1; i < scene.triangles.size(); ++i) {
     const auto& t = scene.triangles[i];
@@ -129,7 +130,7 @@ TEST(ZeroArea, DrawsNothingAndIsCounted) {
   EXPECT_EQ(all.buffer().color, rest.buffer().color);
 }
 
-// Before snapping a fifth of the lines were triangles.
+// A fifth of the triangles without area have an area before snapping.
 TEST(ZeroArea, SomeOfItComesFromSnapping) {
   int triangles = 0;
   for (const auto& t : hard_case("zero_area").make()) {

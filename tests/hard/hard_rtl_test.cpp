@@ -27,7 +27,7 @@ TEST_P(HardCaseRtl, MatchesTheModelAndTheJudgeUnderEveryStall) {
   }
 }
 
-/// Counts stamps that follow one of another triangle at the same place, cycle by cycle.
+/// Counts stamps that directly follow a stamp of another triangle at the same place.
 struct Followers : timing::Listener {
   void stamp(timing::Cycle cycle, const spec::Stamp& s) override {
     const bool follows = cycle == last_cycle + 1 && s.x == last.x && s.y == last.y;

@@ -1,4 +1,4 @@
-// Every hard case on every design: coverage, depth and colours before the exact judge.
+// Every hard case on every design: coverage, depth and colours judged by exact arithmetic.
 #include <algorithm>
 #include <memory>
 
@@ -37,7 +37,7 @@ TEST_P(HardCaseTest, CoverageIsExactAndValuesAreWithinTheBounds) {
     EXPECT_EQ(subject.extra, 0u);
     EXPECT_LE(subject.depth.max(), subject.bounds->depth_ulp);
     EXPECT_LE(subject.color.max(), subject.bounds->attribute_lsb);
-    // Not a case without samples.
+    // No case is without samples.
     EXPECT_GT(subject.judged, 5u);
   }
 }

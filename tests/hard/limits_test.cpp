@@ -157,7 +157,7 @@ TEST(NotNumbers, AreDroppedSaturatedOrZeroAndCounted) {
   ASSERT_EQ(scene.triangles.size() + 12, floats.size());
   const spec::Triangle& plain = scene.triangles.back();
   for (const auto& t : scene.triangles) {
-    // The number is that of the triangle as read, so the component that is none is known.
+    // t.id is the triangle's number as read, so the odd component can be found.
     for (size_t k = 0; k < 3; ++k) {
       const scene::ScreenVertex& from = floats[t.id].v[k];
       const auto expected = [](float value, int64_t ordinary, int64_t low, int64_t high) {

@@ -12,7 +12,7 @@
 namespace pineda::hard {
 namespace {
 
-/// The greatest colour error of a design with perspective before the judge, or with `affine` truth.
+/// The greatest colour error of a design with perspective; with `affine`, against affine colours.
 struct Worst {
   double lsb = 0;
   uint64_t samples = 0;
@@ -69,7 +69,7 @@ TEST(PerspectiveRatio, ErrorsDoNotGrowWithIt) {
   }
 }
 
-// The mutants: affine colours are another thing, and so are w's of few bits.
+// The mutants: affine colours differ, and so do w's of few bits.
 TEST(PerspectiveRatioMutant, AffineColoursAndShortWsAreSeen) {
   spec::Design fine = *spec::find_design("persp");
   fine.attribute_bits = 12;

@@ -26,7 +26,7 @@ TEST(Scissor, HitsEverySampleInsideOnceAndNoneOutside) {
       ASSERT_EQ(hits[static_cast<size_t>(y * f.width + x)], inside ? 1 : 0) << x << "," << y;
     }
   }
-  // Some are left out by their box alone; without the scissor they are drawn.
+  // Some triangles are dropped by the scissored box alone; without the scissor they are drawn.
   Snapped whole = scene;
   whole.frame = {f.width, f.height};
   const auto outside = static_cast<size_t>(core::Drop::kOutside);
@@ -36,7 +36,8 @@ TEST(Scissor, HitsEverySampleInsideOnceAndNoneOutside) {
   EXPECT_EQ(std::count(all.begin(), all.end(), 1), f.width * f.height);
 }
 
-/// Depths and colours of these triangles are constant, so that coverage and a rule tell the frame.
+/// The expected frame: depth and colour are constant in each triangle, so coverage and the depth
+/// function determine it.
 struct Seen {
   std::vector<int64_t> z;
   std::vector<size_t> triangle;  // SIZE_MAX: none
@@ -138,10 +139,10 @@ TEST(ClearDepth, EveryFunctionSeesWhatItPassesOnEveryClearedDepth) {
       frames.insert(wanted.z);
     }
   }
-  EXPECT_GT(frames.size(), 12u);  // of 36: on a depth at an end many see the same
+  EXPECT_GT(frames.size(), 12u);  // of 36: many are equal if cleared to an end
 }
 
-// In doubles from the floats, which here are exact enough: the codes of the default design.
+// The default design's codes, computed in doubles from the floats, which is exact enough here.
 TEST(DepthBias, MovesCodesByConstantAndSlopeAndStopsAtTheEnds) {
   for (const char* name : {"depth_bias_near", "depth_bias_far"}) {
     const Snapped scene = snapped(name);
@@ -178,8 +179,8 @@ TEST(DepthBias, MovesCodesByConstantAndSlopeAndStopsAtTheEnds) {
   }
 }
 
-// The bound of a biased code is reached for by the rounding of the magnitude, and no design leaves
-// it: see HardCaseTest. Without it the judge would see the low design's slopes.
+// The bound of a biased code grows with the slope, since the magnitude is rounded; HardCaseTest
+// shows that no design exceeds it. Without this part the judge would fail the low design's slopes.
 TEST(DepthBias, AddsToTheBoundWhatItsSlopeSays) {
   const spec::Design& d = spec::kHighTile;
   EXPECT_EQ(spec::depth_bias_error_bound(d, 0, 1e9), 0);
@@ -214,7 +215,7 @@ TEST(FlatShading, GivesEverySampleItsTrianglesFirstColour) {
       smooth += other.buffer().color != buffer.color ? 1 : 0;
     }
     EXPECT_GT(samples, 5000u);
-    // The mutant: shaded smoothly they differ, where a design can.
+    // The mutant: smooth shading gives another frame, in designs that can shade smoothly.
     EXPECT_EQ(smooth > 20, design.attributes > 0);
   }
 }

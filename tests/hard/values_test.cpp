@@ -34,7 +34,8 @@ TEST(Needles, AreLongAndThin) {
   }
 }
 
-// The first triangle holds all others, on one plane. Each code is within the bound of it.
+// The first triangle contains all others, on one plane. Their codes differ from it within the
+// bound.
 TEST(Coplanar, CodesDifferByNoMoreThanTheBound) {
   for (const auto& design : spec::designs()) {
     SCOPED_TRACE(design.name);

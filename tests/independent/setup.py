@@ -4,7 +4,7 @@ docs/numerics.md alone: a third opinion."""
 from types import SimpleNamespace
 from typing import NamedTuple, Optional, Tuple
 
-# Parameters of a design with the values of high_tile; what setup does not read is left out.
+# A design's parameters with the values of high_tile; those that setup does not read are left out.
 HIGH_TILE = {
     "subpixel_bits": 8,
     "guard_bits": 14,

@@ -1,5 +1,5 @@
-// The comparison that every judge makes: the nearest codes hold, and each fault is seen where it
-// is.
+// The comparison that every judge makes: the nearest codes pass, and each fault is reported where
+// it is.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -79,7 +79,7 @@ const Fault kFaults[] = {
      "depth at (20, 20) is "},
 };
 
-// The mutants: a comparison that missed one of them would be none.
+// The mutants: the comparison must see each of them.
 class ComparisonMutant : public testing::TestWithParam<Fault> {};
 INSTANTIATE_TEST_SUITE_P(, ComparisonMutant, testing::ValuesIn(kFaults),
                          [](const auto& f) { return std::string(f.param.name); });
@@ -185,7 +185,7 @@ TEST(Comparison, PerspectiveAndAffineColoursAreNotTakenForEachOther) {
 TEST(Seen, SaysWhatASampleIsAndWhichAreMissing) {
   const ScreenTruth truth = truth_of(judge_of());
   Seen seen;
-  for (int pass = 0; pass < 2; ++pass) {  // a second triangle finds nothing of the first
+  for (int pass = 0; pass < 2; ++pass) {  // the second triangle starts without state of the first
     seen.begin(truth);
     for (const exact::Sample& s : truth.samples()) {
       if (s.y == 20) continue;
@@ -287,7 +287,7 @@ TEST(TileRowComparison, MissesWholeRowsOfTiles) {
   EXPECT_EQ(streamed({}).missing, truth.samples().size());
 }
 
-// It must not make up for one that is missing.
+// A late sample must not make up for one that is missing.
 TEST(TileRowComparison, ASampleOfARowThatHasGoneByIsOneTooMany) {
   const ScreenTruth truth = truth_of(judge_of());
   Samples samples = by_tiles(nearest(truth));

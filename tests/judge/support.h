@@ -37,8 +37,8 @@ inline spec::Triangle snapped() {
   return t;
 }
 
-/// All samples with the nearest codes, row by row; attributes from `smooth` on are the first
-/// vertex's.
+/// All samples with the nearest codes, row by row; attributes from `smooth` on are flat, from the
+/// first vertex.
 inline std::vector<Drawn> nearest(const ScreenTruth& truth, const Values& values = {}) {
   std::vector<Drawn> all;
   for (const exact::Sample& s : truth.samples()) {

@@ -1,4 +1,4 @@
-// The contract in the judge's terms, samples of stamps, depth functions.
+// The design's contract translated for the judge, the samples of stamps, the depth functions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -111,7 +111,7 @@ TEST(Lanes, FlatAttributesStandBehindTheInterpolatedOnes) {
   EXPECT_EQ(count, 1);
 }
 
-// What core draws holds before the comparison, flat attributes, scissor and bias included.
+// What core draws passes the comparison, with flat attributes, scissor and bias.
 TEST(Drawing, OfCoreHoldsOnEveryDesign) {
   spec::FrameState frame = kFrame;
   frame.scissor_x0 = 9;

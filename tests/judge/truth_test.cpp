@@ -1,4 +1,4 @@
-// What is true of a triangle, from its floats on and from its snapped vertices: the same.
+// The exact values of a triangle, from its floats and from its snapped vertices, are the same.
 #include "model/judge/truth.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace pineda::judge {
 namespace {
 
-// Errors that cannot be told apart: a double's last bits.
+// Errors below this are only the last bits of doubles.
 constexpr double kNone = 1e-9;
 
 /// Compares the errors of both truths on all samples, some codes off; returns the samples.
@@ -94,7 +94,7 @@ TEST(ScreenTruth, WithoutPerspectiveValuesAreAffine) {
     EXPECT_EQ(affine.errors(perspective, drawn).attr[0].units,
               both.errors({}, drawn).attr[0].units);
   }
-  // They differ, so this says something.
+  // The two differ, so the test means something.
   const Drawn middle{20, 20, 0, {}};
   EXPECT_GT(std::abs(both.errors(perspective, middle).attr[0].units -
                      both.errors({}, middle).attr[0].units),
@@ -112,7 +112,7 @@ TEST(SnappedTruth, ABiasIsTakenAsGivenAndMayEndAtTheEndsOfTheRange) {
   EXPECT_DOUBLE_EQ(error(-7, 1000), plain + 7);
   EXPECT_EQ(error(0x1p25, top), 0);
   EXPECT_EQ(error(-0x1p25, 0), 0);
-  // Not at the other end, not a code beside it, and not where the bias does not reach it.
+  // Wrong at the other end, at the code beside it, and where the bias does not reach the end.
   EXPECT_NE(error(0x1p25, 0), 0);
   EXPECT_NE(error(-0x1p25, top), 0);
   EXPECT_NE(error(0x1p25, top - 1), 0);

@@ -1,6 +1,6 @@
 #!/bin/sh
-# check_core.sh CORE: the definition stays plain: no vectors, attributes, builtins, casts of memory or
-# threads; no file over 250 lines, all of it within 1,900.
+# check_core.sh CORE: model/core must stay plain: no vectors, attributes, builtins, reinterpreting
+# casts or threads; no file over 250 lines, 1,900 lines in all.
 set -eu
 cd "$1"
 bad=0

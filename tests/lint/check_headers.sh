@@ -28,7 +28,7 @@ function close_comment() {
   close_label()
   inside = last = 0
 }
-# The words of a line of code are what can be named.
+# The words of a line of code: these are the names that a header may use.
 function learn(line, part, n, i, folder) {
   split(FILENAME, folder, "/")
   n = split(line, part, /[^A-Za-z0-9_]+/)

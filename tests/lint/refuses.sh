@@ -1,6 +1,7 @@
 #!/bin/sh
-# refuses.sh PATTERN COMMAND...: passes when COMMAND fails and says PATTERN. Each check is run so on a
-# mutant, to prove that it can fail, and for the right reason. 77 says that COMMAND skips its check.
+# refuses.sh PATTERN COMMAND...: passes when COMMAND fails and prints PATTERN. Each check is run
+# this way on a mutant, to prove that it can fail, and for the right reason. 77: COMMAND skips its
+# check.
 pattern=$1
 shift
 output=$("$@" 2>&1)

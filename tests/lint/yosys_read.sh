@@ -1,6 +1,6 @@
 #!/bin/sh
-# yosys_read.sh TOP FILE...: fails unless Yosys reads TOP. It warns only of a name that nobody
-# declared and of bits left undriven (as it leaves them for some legal SystemVerilog): fatal here.
+# yosys_read.sh TOP FILE...: fails unless Yosys reads TOP without these warnings: a name that nobody
+# declared, and undriven bits, which it also leaves for some legal SystemVerilog.
 # TOP may set parameters: 'unit -chparam Width 4'.
 set -eu
 top=$1

@@ -1,5 +1,5 @@
-// Bursts worked by hand: command to data 6 cycles in an open row, 11 in a closed bank, 17 with
-// another row open; two banks (even and odd rows), a refresh of 50 cycles every 1000.
+// Bursts worked by hand: from command to data it takes 6 cycles in an open row, 11 in a closed
+// bank, 17 with another row open; two banks (even and odd rows), a refresh of 50 cycles every 1000.
 #include "model/memory/dram_channel.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TEST(DramChannel, FirstBurstOpensARow) {
   EXPECT_EQ(channel.counters().busy, 16);
 }
 
-// Ordered in 21, when the first data come; the bus is free in 37.
+// The second burst's command is sent in 21, when the first data come; the bus is free in 37.
 TEST(DramChannel, RowHitsFollowWithoutAGap) {
   DramChannel channel(parameters());
   channel.serve(10, 0, 16);
@@ -31,7 +31,7 @@ TEST(DramChannel, RowHitsFollowWithoutAGap) {
   EXPECT_EQ(channel.counters().row_hits, 2u);
 }
 
-// Bursts of 4 are shorter than the way from the command to its data: 21 + 6 + 4.
+// Bursts of 4 take less time than a command takes to its data: 21 + 6 + 4.
 TEST(DramChannel, ShortBurstsWaitForTheCommand) {
   DramChannel channel(parameters());
   EXPECT_EQ(channel.serve(10, 0, 4), 25);
@@ -45,7 +45,7 @@ TEST(DramChannel, AnotherRowOfABankOpensWhenItsBurstIsOver) {
   EXPECT_EQ(channel.counters().row_conflicts, 1u);
 }
 
-// Ordered in 21, its data would come in 32, the bus is free in 37.
+// With a command in 21 the data could come in 32, but the bus is free only in 37.
 TEST(DramChannel, AnotherBankOpensUnderTheDataOfTheFirst) {
   DramChannel channel(parameters());
   channel.serve(10, 0, 16);
@@ -58,15 +58,15 @@ TEST(DramChannel, RefreshDelaysAndClosesTheRows) {
   channel.serve(900, 0, 16);
   EXPECT_EQ(channel.serve(1010, 0, 16), 1050 + 11 + 16);
   EXPECT_EQ(channel.counters().refresh_wait, 40);
-  EXPECT_EQ(channel.serve(1200, 0, 16), 1200 + 6 + 16);   // the refresh is past
-  EXPECT_EQ(channel.serve(2100, 0, 16), 2100 + 11 + 16);  // slept through one
+  EXPECT_EQ(channel.serve(1200, 0, 16), 1200 + 6 + 16);   // after the refresh
+  EXPECT_EQ(channel.serve(2100, 0, 16), 2100 + 11 + 16);  // a refresh in between closed the row
   EXPECT_EQ(channel.counters().refresh_wait, 40);
 }
 
 TEST(DramChannel, BurstOrderedBeforeARefreshIsFinished) {
   DramChannel channel(parameters());
   EXPECT_EQ(channel.serve(999, 0, 16), 999 + 11 + 16);
-  // The next would be ordered in 1010.
+  // The next command would be sent in 1010, in the refresh.
   EXPECT_EQ(channel.serve(1000, 0, 16), 1050 + 11 + 16);
 }
 

@@ -30,7 +30,7 @@ class DramTimingTest : public testing::Test {
   std::unique_ptr<DramTiming> timing_;
 };
 
-// Asked for in 101, a closed bank: data in 112 .. 127, served in 128.
+// Requested in 101 from a closed bank: data in 112 .. 127, served in 128.
 TEST_F(DramTimingTest, MissWaitsForItsFillAndBlocksItsPortAlone) {
   EXPECT_EQ(timing_->ready_from(kRead, 100), 100);
   EXPECT_EQ(timing_->accept(kRead, 100, 0, 0), 128 + 3);
@@ -93,7 +93,7 @@ TEST_F(DramTimingTest, TileThatIsBeingFilledIsNotEvicted) {
   EXPECT_EQ(timing_->accept(kRead, 200, 0, 0), 203);
 }
 
-// Rows of tiles lie in sets of their own: a square of 4x4 tiles stays.
+// Each row of tiles has cache sets of its own, so a square of 4x4 tiles stays in the cache.
 TEST_F(DramTimingTest, NeighboursDoNotEvictOneAnother) {
   Cycle t = 0;
   for (int pass = 0; pass < 2; ++pass) {
@@ -112,7 +112,8 @@ TEST_F(DramTimingTest, ColorHasAChannelOfItsOwn) {
   EXPECT_EQ(timing_->ready_from(kColor, 101), 129);
 }
 
-// Behind the depth's data, 128 .. 143: its bank is another one and opens meanwhile.
+// The colour's burst follows the depth's data, 128 .. 143; its bank is another one and opens
+// meanwhile.
 TEST_F(DramTimingTest, MergedColorQueuesBehindDepth) {
   DramParameters merged;
   merged.merged = true;

@@ -1,4 +1,4 @@
-// The Verilated RTL on memories of any time: slower, never wrong.
+// The Verilated RTL on memories of any timing: slower, never wrong.
 #include <gtest/gtest.h>
 
 #include "model/memory/dram_timing.h"
@@ -44,7 +44,8 @@ class MemoryRtl : public testing::Test {
       EXPECT_EQ(bench.buffer().depth, scoreboard.renderer().buffer().depth);
       EXPECT_EQ(bench.buffer().color, scoreboard.renderer().buffer().color);
     }
-    // Stalls go on over the frames; the memory starts anew.
+    // Stall patterns go on from frame to frame, so cycles repeat only without stalls; the memory
+    // starts anew.
     if (mode == StallMode::kNone) {
       EXPECT_EQ(cycles[0], cycles[1]);
     }

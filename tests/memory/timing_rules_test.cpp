@@ -28,7 +28,7 @@ std::string broken_rule(MemoryTiming* timing, uint64_t seed) {
     }
     for (size_t p = 0; p < kMemoryPorts; ++p) {
       if (!ready[p] || random.between(0, 3) == 0) continue;
-      // What other ports do in this cycle does not matter yet.
+      // What other ports request in this cycle has no effect yet.
       const auto port = static_cast<MemoryPort>(p);
       if (timing->ready_from(port, t) != t) return "not ready any more in the same cycle";
       x = (x + random.between(0, 8) + 156) % 160;

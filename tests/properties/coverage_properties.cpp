@@ -14,7 +14,7 @@ bool same_places(const std::vector<Sample>& a, const std::vector<Sample>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_place);
 }
 
-// The properties below are not idle: each class covers samples often.
+// The properties below are not vacuous: triangles of each class often cover samples.
 TEST(Generator, ReachesEveryClassWithSamples) {
   for (const bool in_window : {false, true}) {
     std::array<int, 6> drawn{};
@@ -77,7 +77,7 @@ RC_GTEST_PROP(ClosedMesh, HitsEachSampleOnce, ()) {
   RC_ASSERT(hits_each_sample_once(*mesh(), test::Rule::kTopLeft));
 }
 
-// The property can fail: other rules for samples on edges are found out.
+// The property can fail: it falsifies other rules for samples on edges.
 TEST(ClosedMeshMutant, InclusiveAndStrictRulesAreFalsified) {
   for (const auto rule : {test::Rule::kInclusive, test::Rule::kStrict}) {
     EXPECT_FALSE(rc::check("a mutant, to be falsified",

@@ -15,7 +15,7 @@ using test::kHalfPx;
 using test::kPx;
 using test::Shape;
 
-// rapidcheck grows ranges from case to case; these are wanted whole from the first on.
+// rapidcheck grows ranges from case to case; here the full range is wanted from the first one on.
 rc::Gen<int> in(int low, int high) {
   return rc::gen::resize(rc::kNominalSize, inRange<int>(low, high + 1));
 }

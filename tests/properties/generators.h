@@ -55,8 +55,8 @@ std::vector<Sample> samples(const spec::FrameState& frame, const spec::Triangle&
 /// Sorts by place, row by row.
 void sort(std::vector<Sample>* samples);
 
-/// The samples of a triangle before and after it moves, those that the frame shows both times; in
-/// the places after it, sorted.
+/// The samples of a triangle before and after a move, of those that the frame shows both times;
+/// given at their places after the move, sorted.
 struct Moved {
   std::vector<Sample> before, after;
 };

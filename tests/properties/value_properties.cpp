@@ -15,7 +15,7 @@ bool all_same(const std::vector<Sample>& a, const std::vector<Sample>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
-// The anchor is canonical, so not only places but depths and colours stay.
+// The anchor does not depend on vertex order, so coverage, depths and colours all stay.
 RC_GTEST_PROP(Values, WindingAndFirstVertexDoNotMatter, ()) {
   const Figure f = *figure();
   const auto expected = samples(f.frame, f.t);

@@ -62,8 +62,8 @@ std::string frame_that_differs(const core::FrameBuffer& expected, const core::Fr
   return expected.color != got.color ? "colour of the frame" : "";
 }
 
-/// The first counter that differs of those that core and a frame in time share: hierarchical z
-/// keeps some tiles from being walked and so some stamps from being sent.
+/// The first counter that differs, of those that core and a frame in time share: hierarchical z
+/// keeps some tiles from being walked, and so some stamps from being sent.
 std::string core_that_differs(const core::FrameCounters& expected, const core::FrameCounters& got,
                               bool hidden) {
   for (const core::FrameCounter& row : core::kFrameCounters) {

@@ -1,4 +1,5 @@
-// One scene through two sides of a design, each in a child process: SystemC elaborates once in one.
+// One scene through two sides of a design, each in a child process: SystemC elaborates once per
+// process.
 #pragma once
 
 #include <array>
@@ -24,10 +25,10 @@ struct Found {
 Found model_against_rtl(const spec::Contract& contract, const Trial& trial,
                         const std::string& plugin = {}, int late = 0);
 
-/// The cycle model stamp by stamp with a listener, by whole tiles, and with only what time depends
-/// on: the same cycles and counters; the first two with the frame of core and, but for what
-/// hierarchical z leaves out, its counters. Under the stalls of the trial and, the last one,
-/// without.
+/// The cycle model in three modes: stamp by stamp with a listener, by whole tiles, and computing
+/// only what time depends on. Cycles and counters must be the same; the first two must have core's
+/// frame and, except for what hierarchical z leaves out, its counters. The first two are compared
+/// under the stalls of the trial, the last one without stalls.
 Found model_against_itself(const spec::Contract& contract, const Trial& trial, int late = 0);
 
 }  // namespace pineda::test

@@ -18,7 +18,7 @@ using spec::ReciprocalScheme;
 
 bool one_in(Random* r, int n) { return r->between(1, n) == 1; }
 
-// As often between 1 and 2 as between 2^(bits-1) and 2^bits.
+// Logarithmic: as often between 1 and 2 as between 2^(bits-1) and 2^bits.
 int scaled(Random* r, int bits) {
   const int scale = 1 << r->between(0, bits);
   return r->between((scale + 1) / 2, scale);
@@ -172,7 +172,8 @@ std::string state_lines(Random* r, const Canvas& c) {
     text += fmt::format("depthbias {} {}\n", constant, slope / 256.);
   }
   if (one_in(r, 2)) {
-    // Reversed z, or a part of what is drawn lies behind.
+    // With reversed z cleared to 0; else so that a part of what is drawn lies behind the cleared
+    // depth.
     const bool is_reversed = depth == "greater" || depth == "gequal";
     text += fmt::format("cleardepth {:.9g}\n", is_reversed ? 0 : r->uniform(.3f, 1));
   }
@@ -243,7 +244,7 @@ Trial random_trial(const spec::Design& design, uint64_t seed, const std::string&
   trial.bench.depth_latency_cycles = random.between(1, design.max_depth_latency_cycles);
   trial.bench.stall_mode = tb::kStallModes[random.between(0, 3)];
   trial.bench.seed = random.bits() >> 32;
-  Random kind(~seed);  // of its own, so that a scene depends on its seed alone
+  Random kind(~seed);  // not `random`: a scene depends on its seed alone
   if (one_in(&kind, 3)) {
     trial.memory = kind.between(0, 1) == 1 ? memory::Kind::kDram : memory::Kind::kDramMerged;
   }

@@ -11,8 +11,8 @@
 namespace pineda::test {
 
 /// A valid design with RTL, named rSEED: every parameter anywhere in its range, FIFO depths and
-/// latencies as often short as long. One limit that is not the design's: channels times samples of
-/// a stamp stay below 64 (32 with perspective), so that its RTL compiles within a minute or two.
+/// latencies as often short as long. One limit is not the design's: channels times samples of a
+/// stamp stay below 64 (32 with perspective), so that its RTL compiles within a minute or two.
 spec::Design random_design(uint64_t seed);
 
 /// "newton l7 n2 k30, stepped, S8 g14, z24 hz, 4+0x8, F18/8, tile 8, stamp 2x2, ...": in one line.

@@ -26,7 +26,7 @@ namespace {
 struct Totals {
   uint64_t tokens = 0;
   uint64_t mismatches = 0;
-  uint64_t beyond = 0;  // samples beyond a bound, too many or missing by exact arithmetic
+  uint64_t beyond = 0;  // samples beyond a bound, too many or missing
   uint64_t cycles = 0;
   uint64_t cycles_off = 0;
   uint64_t counters = 0;
@@ -76,7 +76,7 @@ std::string check(const Job& job, const Trial& trial, Totals* totals) {
   return command;
 }
 
-/// The same with the cycles of tokens.
+/// The same for the cycles of tokens.
 std::string compare(const Job& job, const Trial& trial) {
   try {
     return model_against_rtl(job.contract, trial).difference();

@@ -72,7 +72,7 @@ TEST(RandomDesigns, ModeThatIsACycleLaterIsSeen) {
     const Found found = model_against_itself(spec::contract(spec::kHighTile), trial, 1);
     unseen += found.difference().empty() ? 1 : 0;
   }
-  EXPECT_LE(unseen, 2);  // scenes whose depth function reads nothing
+  EXPECT_LE(unseen, 2);  // no depth is read in some scenes
 }
 
 class RandomRtl : public testing::Test {

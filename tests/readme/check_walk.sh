@@ -1,6 +1,6 @@
 #!/bin/sh
-# check_walk.sh PROGRAM README: every line in the README's ```walk blocks is one that the program
-# prints.
+# check_walk.sh PROGRAM README: each line of the README's ```walk blocks must be a line that the
+# program prints.
 set -eu
 program=$1
 readme=$2

@@ -1,5 +1,5 @@
-// The bare RTL takes the cycles of the RTL under the bench and leaves its frame, so that its speed
-// is that of the same work.
+// The bare RTL takes the same cycles as the RTL under the bench and leaves the same frame, so that
+// its speed is measured on the same work.
 #include <cstdlib>
 
 #include "tb/bench_top.h"
@@ -43,7 +43,7 @@ testing::AssertionResult same(const Drawn& a, const Drawn& b) {
   return testing::AssertionSuccess();
 }
 
-// Frames of odd sizes in any raster state, one after the other from one reset on.
+// Frames of odd sizes in any raster state, one after the other without a reset in between.
 TEST(BenchTop, TakesTheCyclesOfTheBenchAndLeavesItsFrame) {
   spec::Random random(606);
   for (const int latency_cycles : {1, 3, 8, 64}) {

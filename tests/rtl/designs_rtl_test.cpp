@@ -117,7 +117,7 @@ TEST(DesignRtlRate, SetupTakesATriangleAtEveryInterval) {
   }
 }
 
-// The same formats with another reciprocal, so other low bits.
+// The mutant: the same formats with another reciprocal have other low bits.
 TEST(DesignRtlMutant, PlanesOfAnotherReciprocalAreCaught) {
   spec::Random random(9);
   spec::FrameState frame;

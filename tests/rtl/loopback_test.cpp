@@ -1,4 +1,4 @@
-// Every struct, one bit at a time, through the RTL's own view of its fields and back.
+// Every struct, one bit at a time, through the RTL's view of its fields and back.
 #include "tests/rtl/support.h"
 
 namespace pineda::tb {
@@ -11,8 +11,8 @@ spec::Packed read_bits(const PortData& port) {
   return words;
 }
 
-// Walks a one through a struct. Counts the disagreements between its packed bits and its fields,
-// in both directions.
+// Sets one bit of a struct at a time. Counts where packed bits and fields disagree, in both
+// directions.
 template <class T>
 int disagreements(const RtlLibrary& library) {
   const spec::Contract& c = library.contract();
@@ -30,7 +30,7 @@ int disagreements(const RtlLibrary& library) {
       T value = packer.unpack(zeros.data());  // some structs do not start as zeros
       field.set(c, value, element, spec::wrap(int64_t{1} << (i % field.bits), 64));
       whole_in.set(value);
-      // The field's own ports: this bit in, all others zero.
+      // The field's own ports must show this bit, all others zero.
       for (const auto& other : packer.table()) {
         const PortData in = unit.port(name + "_" + other.name + "_i");
         std::memset(in.data, 0, in.bytes);

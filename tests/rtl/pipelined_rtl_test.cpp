@@ -23,7 +23,7 @@ namespace {
 using core::Reciprocal;
 using spec::Random;
 
-/// A Verilated reciprocal_pipelined of `bits` wide numbers, 0: as wide as a doubled area.
+/// A Verilated reciprocal_pipelined for numbers of `bits` bits; 0: as wide as a doubled area.
 template <class Model>
 class Pipeline {
  public:

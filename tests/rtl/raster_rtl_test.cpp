@@ -12,7 +12,7 @@ using spec::DepthFunc;
 
 constexpr size_t kTrianglesPerRun = 400;
 
-// Stamps, and memories in which a part of them is drawn already: some depths are equal.
+// Stamps, and memories in which some of them are already drawn, so that some depths are equal.
 struct Drawing {
   spec::FrameState frame;
   std::vector<spec::Stamp> stamps;
@@ -111,7 +111,7 @@ TEST_P(RasterRtl, InterpZtestMatchesModelInEveryRasterState) {
   }
 }
 
-// A stamp again and again, back to back: each sees what the one before wrote.
+// The same stamp repeatedly, back to back: each must see what the one before wrote.
 TEST_P(RasterRtl, OneStampAgainAndAgain) {
   const spec::Contract& c = contract();
   for (const auto func : {DepthFunc::kLess, DepthFunc::kLequal, DepthFunc::kNotequal}) {
@@ -129,7 +129,7 @@ TEST_P(RasterRtl, OneStampAgainAndAgain) {
   }
 }
 
-// The RTL in one state against the model in another: does a drawing of ten tell?
+// The mutants: RTL in one state, model in another; one drawing of ten must show it.
 class RasterRtlMutant : public testing::Test {
  protected:
   Drawing drawing(const spec::Contract& c, DepthFunc func) {
@@ -169,7 +169,7 @@ TEST_F(RasterRtlMutant, EveryPieceOfRasterStateIsSeen) {
   }));
 }
 
-// The same formats with another reciprocal, so other weights; a flat attribute of another triangle.
+// The same formats with another reciprocal, so other weights; flat attributes of another triangle.
 TEST_F(RasterRtlMutant, WeightsAndFlatAttributesAreSeen) {
   const RtlLibrary& library = raster_rtl("deep");
   spec::Design design = library.contract().design;

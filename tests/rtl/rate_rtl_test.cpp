@@ -81,7 +81,7 @@ TEST(TraversalRtlRate, TestsOneTileACycle) {
   ASSERT_EQ(accepted.size(), 2u);
   const Cycle tiles = 128 * 128;
   EXPECT_GE(accepted[1] - accepted[0], tiles);
-  // The stamps of the kept tiles hide behind the rejected ones, but for the FIFO's edges.
+  // Kept tiles' stamps are sent while other tiles are rejected, but for a few cycles at the FIFO.
   EXPECT_LE(accepted[1] - accepted[0], tiles + tiles / 50);
 }
 
@@ -100,8 +100,8 @@ TEST_P(InterpZtestRtlRate, TakesAStampACycleWithoutHazards) {
   EXPECT_EQ(accepted.back() - accepted.front(), 32 * 32 - 1);
 }
 
-// The first stamp's read is accepted in t, its data are there in t + latency, tested in the next
-// cycle, written in the one after; the second read follows that.
+// The first stamp's read is accepted in t and its data come in t + latency; they are tested in the
+// next cycle and written in the one after. The second read follows the write.
 TEST_P(InterpZtestRtlRate, SameAddressWaitsForTheWriteAndNoLonger) {
   const auto state = frame(64, 64);
   BenchOptions options;
@@ -142,7 +142,7 @@ TEST(InterpZtestRtlHazard, OverlapInConsecutiveCyclesReadsAfterTheWrite) {
   EXPECT_EQ(bench.buffer().color[0], 200);
 }
 
-// Valid never waits for ready: with every consumer shut, each output is still offered.
+// Valid never waits for ready: while every consumer is not ready, each output is still offered.
 TEST(HandshakeRtl, ValidRisesWhileReadyIsLow) {
   RtlUnit setup(rtl(), "setup");
   SourceEnd<Triangle> in(setup, "tri");

@@ -37,7 +37,8 @@ class Lone {
 
   const spec::Contract& contract() const { return contract_; }
 
-  /// What stands at the outputs `cycles` enabled cycles after the start. The area is gone after it.
+  /// The outputs, `cycles` enabled cycles after the start. The area is at the input in the first
+  /// one only.
   Reciprocal after(int cycles, int64_t area2) {
     model_.start_i = 1;
     model_.area2_i = static_cast<std::decay_t<decltype(model_.area2_i)>>(area2);
@@ -159,7 +160,7 @@ TYPED_TEST(ReciprocalRtl, StallsFreezeIt) {
   }
 }
 
-// A unit that were quicker than derived would hide a unit that is too slow.
+// The result is not there a cycle early: the derived number of cycles is really needed.
 TYPED_TEST(ReciprocalRtl, NeedsEveryCycleAndHoldsTheResult) {
   Lone<TypeParam> lone(Scheme<TypeParam>::kDesign);
   const int cycles = spec::reciprocal_cycles(lone.contract().design);

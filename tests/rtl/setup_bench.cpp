@@ -11,7 +11,7 @@ namespace {
 
 int64_t signed_value(Random* random, int bits) {
   const int64_t limit = int64_t{1} << (bits - 1);
-  // The ends, small ones, any.
+  // An end of the range, a small number, or any.
   switch (random->between(0, 4)) {
     case 0:
       return random->coin() ? limit - 1 : -limit;
@@ -78,7 +78,7 @@ spec::Triangle random_triangle(Random* random, const Contract& c, const spec::Fr
     v.y = static_cast<int32_t>(inside(y + random->between(-spread, spread)));
     random_values(random, c, &v);
   }
-  // Horizontal, vertical and degenerate ones.
+  // Horizontal, vertical and degenerate triangles.
   if (random->between(0, 9) == 0) t.v[1].y = t.v[0].y;
   if (random->between(0, 9) == 0) t.v[2].x = t.v[1].x;
   if (random->between(0, 9) == 0) t.v[2].y = t.v[0].y;
@@ -118,7 +118,7 @@ Script random_script(const Contract& contract, uint64_t seed, bool source, bool 
     int64_t time = 0;
     for (size_t i = 0; i <= count; ++i) {
       times.push_back(time);
-      // Bursts, and now and then a pause of a whole latency and more.
+      // Bursts, and now and then a pause that may exceed the latency.
       if (!stalls) continue;
       if (random.coin()) time += random.between(0, longest);
       if (random.between(0, 15) == 0) time += random.between(0, 50 + longest);

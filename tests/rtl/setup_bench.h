@@ -11,7 +11,7 @@
 
 namespace pineda::tb {
 
-/// When a source offers and a sink takes: token i from that cycle on.
+/// When the source offers and the sink takes: token i from cycle i of the list on.
 struct Script {
   std::vector<int64_t> offers;
   std::vector<int64_t> takes;
@@ -78,8 +78,7 @@ std::vector<spec::Packed> expected_prims(const spec::Contract& contract, const S
 /// dropped.
 SetupScene random_setup_scene(const spec::Contract& contract, uint64_t seed, int triangles);
 
-/// Cycles for `count` triangles. Stalls of the source, the sink or both, of up to twice the
-/// interval.
+/// A script for `count` triangles, with stalls of source, sink or both of up to twice the interval.
 Script random_script(const spec::Contract& contract, uint64_t seed, bool source, bool sink,
                      size_t count);
 

@@ -81,7 +81,7 @@ struct DesignName {
 };
 TYPED_TEST_SUITE(SetupRtl, SetupModels, DesignName);
 
-// The scenes on which the unit differs from core, of 60: stalled by nobody, source, sink or both.
+// How many of 60 scenes differ from core: without stalls, with stalls of source, of sink, of both.
 template <class Model>
 int wrong_scenes(const spec::Contract& contract, size_t* prims = nullptr) {
   int wrong = 0;
@@ -168,7 +168,7 @@ TYPED_TEST(SetupRtl, CyclesMatchTheModelUnderStalls) {
   EXPECT_GT(prims, 500u);
 }
 
-// A triangle whose primitive nobody waits for.
+// The sink is always ready.
 TYPED_TEST(SetupRtl, TakesTheDerivedIntervalAndLatency) {
   SetupScene scene;
   scene.frame.width = scene.frame.height = 16;

@@ -31,7 +31,7 @@ std::vector<Case> committed_cases() {
 }
 
 /// Triangles about `size_px` wide anywhere around the frame; one in eight is a needle, one in
-/// sixteen reuses the vertex of the one before, so that edges meet.
+/// sixteen shares a vertex with the one before, so that edges meet.
 std::vector<spec::Triangle> random_triangles(spec::Random* random, const spec::FrameState& frame,
                                              int size_px, size_t count,
                                              const spec::Contract& contract = rtl().contract());
@@ -44,8 +44,8 @@ spec::FrameState random_raster_state(spec::Random* random, int width, int height
 vectors::TraversalCase random_traversal(spec::Random* random, const spec::Contract& contract,
                                         int frame_px, int size_px, size_t triangles);
 
-/// A case's inputs on a bench: the case with what came out. The RTL does not tell the cause of a
-/// drop, so the expected ones stand.
+/// Runs a case's inputs on a bench and returns the case with the outputs. The RTL does not tell the
+/// cause of a drop, so the expected causes are kept.
 vectors::SetupCase run(SetupBench* bench, const vectors::SetupCase& inputs);
 vectors::TraversalCase run(TraversalBench* bench, const vectors::TraversalCase& inputs);
 vectors::InterpZtestCase run(InterpZtestBench* bench, const vectors::InterpZtestCase& inputs);

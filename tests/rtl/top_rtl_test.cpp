@@ -51,7 +51,8 @@ TEST_P(TopRtl, OddFrames) {
   }
 }
 
-// Close-ups of each cycle count together what the whole frame counts.
+// Each cycle's close-up counts one cycle for each unit; together they are the whole frame's
+// counters.
 TEST_P(TopRtl, CloseUpsSumUpToTheFrame) {
   spec::Random random(17);
   spec::FrameState frame;
@@ -72,7 +73,7 @@ TEST_P(TopRtl, CloseUpsSumUpToTheFrame) {
   EXPECT_GT(sum[0][timing::Cause::kBusy], 0);
 }
 
-// The memories are told what to clear depth to, frame by frame, and every depth function compares
+// The memories are told for each frame what to clear depth to, and every depth function compares
 // with that.
 TEST_P(TopRtl, EveryDepthFunctionOnEveryClearedDepth) {
   spec::Random random(18);
@@ -139,7 +140,7 @@ TEST(TopRtlMutant, IsCaughtAtTheFirstBoundary) {
   EXPECT_NE(text.find("setup_prim.e["), std::string::npos) << text;
 }
 
-// The mutant asks for the greatest code whatever the frame says.
+// The mutant always asks for the greatest code.
 TEST(TopRtlMutant, AnotherClearedDepthIsSeen) {
   spec::FrameState frame;
   frame.width = frame.height = 16;

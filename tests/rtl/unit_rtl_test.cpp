@@ -36,8 +36,8 @@ int caught_by_vectors() {
   return caught;
 }
 
-// The inputs of the random runs: sizes from a pixel to the whole guard band for setup, small ones
-// where every stamp is drawn.
+// The inputs of the random runs: triangles from a pixel to the whole guard band for setup, small
+// ones where all stamps are drawn.
 vectors::SetupCase random_setup(spec::Random* random, int max_size_px) {
   vectors::SetupCase c;
   c.name = "random";

@@ -48,7 +48,7 @@ TEST(Clip, SharedEdgeAcrossTheNearPlaneGetsOneVertexWhicheverWayItIsWalked) {
     const auto in = vertices.next(3, true), out = vertices.next(3, false);
     const auto left = volume.clip({in, out, vertices.next(3, false)});
     const auto right = volume.clip({out, in, vertices.next(3, true)});
-    // Of the left triangle three vertices are left: `in` and the two cuts.
+    // The left side's triangle has three vertices: `in` and the two cuts.
     ASSERT_EQ(left.size, 3u);
     ASSERT_TRUE(same(left.v[0], in));
     ASSERT_TRUE(holds(right, left.v[1])) << i;
@@ -56,7 +56,7 @@ TEST(Clip, SharedEdgeAcrossTheNearPlaneGetsOneVertexWhicheverWayItIsWalked) {
   }
 }
 
-// The mutant: cutting in the direction of the walk gives other bits for many an edge.
+// The mutant: an edge cut in the direction in which the triangle is walked often gets other bits.
 TEST(Clip, CuttingInTheDirectionOfTheWalkWouldSplitSharedVertices) {
   Vertices vertices;
   int split = 0;
@@ -104,7 +104,7 @@ Mesh plain(double extent) {
   Mesh mesh;
   for (uint32_t i = 0; i < kSide; ++i) {
     for (uint32_t j = 0; j < kSide; ++j) {
-      // A shear keeps the edges from running along the view.
+      // Sheared, so that no edge runs along the view direction.
       const double x = extent * (j / 5.0 - 1), z = extent * (i / 5.0 - 1);
       mesh.position.push_back({x + .3 * z, 0, z - .2 * x});
       mesh.normal.push_back({0, 1, 0});
@@ -156,7 +156,7 @@ TEST(Clip, PiecesShareTheNumberOfTheirTriangle) {
   EXPECT_TRUE(scene::same(first, all_triangles(&source)));
 }
 
-// A triangle from behind the eye to far before it: red where it lies left, blue where it is far.
+// A triangle from behind the eye to far in front of it: red on the left, blue in the distance.
 Mesh long_triangle() {
   Mesh mesh;
   mesh.position = {{-3, -1, 2}, {4, -1, -1}, {-1, -1, -40}};
@@ -166,8 +166,8 @@ Mesh long_triangle() {
   return mesh;
 }
 
-// The world's barycentric weights of the point of the plane y = -1 that a sample shows, by the
-// eye's ray: no clip space, no w.
+// The barycentric weights, in the world, of the point of the plane y = -1 that a sample shows: by
+// the eye's ray, without clip space and without w.
 std::array<double, 3> weights_seen(const Mesh& mesh, double tangent, int size, int x, int y) {
   const double dx = tangent * ((x + .5) * 2 / size - 1);
   const double dy = tangent * (1 - (y + .5) * 2 / size);

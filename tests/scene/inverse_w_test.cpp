@@ -42,7 +42,7 @@ Rounded inverse(float w, int bits) {
   return {mantissa, exponent};
 }
 
-/// Components that are not as rationals have them.
+/// How many components differ from the rationals'.
 int wrong(const spec::Contract& c, const std::array<float, 3>& w) {
   std::array<spec::Vertex, 3> v;
   set_inverse_w(c, w, &v);
@@ -64,7 +64,7 @@ spec::Contract with_bits(int bits) {
   return spec::contract(d);
 }
 
-// Powers of two, where 1/w is one too; the floats beside them, of which 1/w may round up to one.
+// Powers of two, where 1/w is one, too; and the floats beside them, whose 1/w may round up to one.
 std::vector<float> hard_ws() {
   std::vector<float> all{3, 5, 7, .1f, 1e6f, 1e-6f, 0x1.555556p0f, 0x1.fffffep0f};
   for (const float power :

@@ -88,7 +88,7 @@ TEST(OpenScene, UnknownHardCasesListThoseThatExist) {
     const std::string error = error_of(name);
     for (const HardCase& known : hard_cases()) EXPECT_TRUE(is_one_line_with(error, known.name));
   }
-  // A name that ends like a file is one.
+  // A name that ends like a file is taken for a file.
   EXPECT_TRUE(is_one_line_with(error_of("hard/sliver.tri"), "expected a file to read"));
 }
 
@@ -102,7 +102,7 @@ TEST(OpenScene, BuiltInScenesRewindToTheSameTriangles) {
     const Counters counted = opened.source->counters();
     EXPECT_EQ(opened.name, name);
     EXPECT_FALSE(first.empty());
-    // Only the hard cases hold what must be said.
+    // Only hard cases may have notes.
     EXPECT_TRUE(notes(opened).empty() || !built_in.right_answer.empty()) << name;
     EXPECT_FALSE(built_in.summary.empty()) << name;
     opened.source->rewind();
@@ -130,8 +130,8 @@ TEST(OpenScene, StateReachesTheScene) {
   }
 }
 
-// A note where no sample of a cleared frame can pass, or only those at one end; none where some
-// can.
+// Notes where no sample of a cleared frame can pass, or only samples at one end of the depth range;
+// no note where some can.
 TEST(OpenScene, DepthFunctionsThatNothingPassesAreSaid) {
   using spec::DepthFunc;
   const auto said = [](DepthFunc func, double depth, const spec::Design& design) {
@@ -151,7 +151,7 @@ TEST(OpenScene, DepthFunctionsThatNothingPassesAreSaid) {
   EXPECT_NE(said(DepthFunc::kLess, 0, d).find("depth less: nothing is less"), std::string::npos);
   EXPECT_NE(said(DepthFunc::kLequal, 0, d).find("depth lequal: only samples at the near end"),
             std::string::npos);
-  // Codes decide: this depth is next to 1, but of 16 bits it is the greatest code.
+  // The codes decide: this depth is below 1, but in 16 bits it is the greatest code.
   spec::Design coarse = d;
   coarse.depth_bits = 16;
   EXPECT_NE(said(DepthFunc::kGreater, 1 - 0x1p-20, coarse), "");

@@ -32,7 +32,7 @@ TEST(Partition, ConvexPolygonStaysTheFanFromItsFirstPoint) {
 }
 
 TEST(Partition, FanWithTrianglesWithoutAreaStaysAFan) {
-  // A point twice, and one on a side.
+  // With a repeated point, and a point in the middle of a side.
   const std::vector<GridPoint> quad = {{0, 0}, {5, 0}, {10, 0}, {10, 0}, {10, 10}};
   EXPECT_EQ(cut(quad), (std::vector<Piece>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
 }
@@ -103,7 +103,7 @@ bool is_bent(const std::vector<GridPoint>& p) {
   return false;
 }
 
-// In how many of the pieces does a place lie? In fine steps.
+// How many of the pieces contain a point? In fine steps.
 int hits_of(const std::vector<GridPoint>& p, const std::vector<Piece>& pieces, double x, double y) {
   int hits = 0;
   for (const Piece& t : pieces) {
@@ -119,7 +119,7 @@ int hits_of(const std::vector<GridPoint>& p, const std::vector<Piece>& pieces, d
   return hits;
 }
 
-// How deep inside a place lies, at least; negative outside. In grid steps.
+// The least distance of a point inside to the sides; negative outside. In grid steps.
 double depth_in(const std::vector<std::array<double, 2>>& convex, double x, double y) {
   double nearest = 1e9;
   for (size_t i = 0; i < convex.size(); ++i) {
@@ -131,8 +131,8 @@ double depth_in(const std::vector<std::array<double, 2>>& convex, double x, doub
   return nearest;
 }
 
-// No point of a finer grid lies in two triangles, all turn one way, and what lies deeper inside
-// than snapping reaches is covered.
+// No point of a finer grid lies in two triangles, all triangles turn one way, and points further
+// inside than snapping reaches are covered.
 TEST(Partition, SnappedConvexPolygonsAreCoveredOnceWhateverSnappingDidToThem) {
   spec::Random random(1);
   int bent = 0, inside = 0;

@@ -1,4 +1,4 @@
-// Skipping: what follows is what reading on would have given, from every kind of reader.
+// Skipping in every kind of reader: the triangles after it are those that reading on would give.
 #include <gtest/gtest.h>
 
 #include "model/scene/resnap.h"
@@ -40,7 +40,7 @@ std::string tri_text() {
   return text;
 }
 
-// Of the steps, even ones read and odd ones skip, in turn.
+// Even steps read and odd ones skip.
 void expect_same_as_reading(SnappedSource* source, const std::vector<uint64_t>& steps) {
   source->rewind();
   const auto all = all_triangles(source);
@@ -111,7 +111,7 @@ TEST(Skip, OfAListIsReadingOn) {
   expect_same_as_reading(scene.source.get(), {3, 10, 1, 0, 2, 100, 1});
 }
 
-// After one triangle of a fan: its other pieces go with what is skipped.
+// After one piece of a clipped triangle: its other pieces are skipped, too.
 TEST(Skip, OfACutMeshLeavesOutPieces) {
   Options options;
   Camera camera;

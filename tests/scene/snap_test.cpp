@@ -29,7 +29,7 @@ spec::Contract contract_of(int subpixel_bits, int depth_bits) {
   return spec::contract(design);
 }
 
-// Values around which something changes, and the floats next to them.
+// Values at which the result changes, and the floats next to them.
 std::vector<float> interesting() {
   std::vector<float> values;
   for (const float base : {0.0f,
@@ -121,8 +121,8 @@ TEST(Snap, HalvesGoToEvenAndTheGuardBandSaturates) {
   EXPECT_EQ(counted.saturated, 2u);
 }
 
-// z = m/2^24, so 256*z*(2^24 - 1) = 256*m - m/2^16: no product and no shift in common with the
-// code.
+// z = m/2^24, so 256*z*(2^24 - 1) = 256*m - m/2^16: computed here without a product or shift that
+// the code uses.
 TEST(SnapDepth, EveryFloatFromHalfToOneIsRoundedOnce) {
   Counters counted;
   uint64_t wrong = 0, wrong_in_floats = 0;

@@ -90,7 +90,7 @@ TEST(ClearDepth, WhatIsNoDepthIsRefused) {
   EXPECT_EQ(depth_code(-0.0, 24), 0u);
 }
 
-// The state says a depth, so each design has the code of its own format.
+// The frame state holds a depth, so each design gets a code in its own format.
 TEST(ClearDepth, OfADesignIsInItsCodes) {
   FrameState frame;
   EXPECT_EQ(cleared_depth(kHighTile, frame), 0xffffffu);

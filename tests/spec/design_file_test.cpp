@@ -79,7 +79,7 @@ TEST(DesignFile, RefusesWithFileLineAndWhatWasExpected) {
       {"depth_test = 1\n", "d.toml:1: expected depth_test to be true or false"},
       {"depth_bits = 24\ndepth_bits = 24\n", "d.toml:2: expected TOML"},
       {"depth_bits\n", "d.toml:1: expected TOML"},
-      {"depth_test = tru\n", "d.toml:1: expected TOML"},  // the parser's word has a line break
+      {"depth_test = tru\n", "d.toml:1: expected TOML"},  // the parser's message has a line break
       {"\"fog\\nbank\" = 1\n", "d.toml:1: expected a parameter"},
       {"[depth]\nbits = 24\n", "d.toml:1: expected a parameter"},
       {"reciprocal_bits = 20\n", "reciprocal_bits must be at least"},
@@ -97,7 +97,7 @@ TEST(DesignFile, RefusesWithFileLineAndWhatWasExpected) {
   EXPECT_THROW(read_design("no/such/file.toml"), DesignFileError);
 }
 
-// In px where the key is in px, and at its line.
+// The error is in px where the key is in px, and names the key's line.
 TEST(DesignFile, ValueBeyondTheRangeIsNamedByItsKeyAsItWasWritten) {
   const std::string every_part = "perspective = true\nhierarchical_z = true\n";
   int numbers = 0;
@@ -106,7 +106,7 @@ TEST(DesignFile, ValueBeyondTheRangeIsNamedByItsKeyAsItWasWritten) {
     ++numbers;
     try {
       parse_design(every_part + p.key + " = 524288\n", "d.toml");
-      // A frame may have so many tiles.
+      // A frame may have this many tiles.
       EXPECT_EQ(p.key, std::string("hierarchical_z_tiles"));
     } catch (const DesignFileError& error) {
       const std::string says = error.what();
@@ -119,7 +119,7 @@ TEST(DesignFile, ValueBeyondTheRangeIsNamedByItsKeyAsItWasWritten) {
   EXPECT_GT(numbers, 20);
 }
 
-// What differs from a named design says all, in few lines.
+// The differences from a named design are enough to read the design back.
 TEST(DesignFile, DifferencesFromANamedDesignAreReadBack) {
   for (const Design& d : designs()) {
     for (const Design& base : designs()) {

@@ -93,7 +93,7 @@ TEST(InvalidReason, QuadraticWhoseSquareHasNoBitsIsRefused) {
   EXPECT_NE(invalid_reason(design).find("quadratic"), std::string::npos);
 }
 
-// What a scheme does not have is not looked at.
+// Parameters that a scheme does not have are not checked.
 TEST(InvalidReason, ParametersThatASchemeDoesNotUseMayBeZero) {
   Design design = kHighTile;
   design.reciprocal_lut_bits = design.reciprocal_newton_steps = 0;
@@ -209,7 +209,7 @@ class ReciprocalRom : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(LutBits, ReciprocalRom, testing::Values(4, 7, 8, 10, 12));
 
 // Each entry fits its bits, the table falls, and the first guess is as good as stated at both ends
-// of its cell: value = (2^bits + entry)/2^(bits+1) against 1/(2m).
+// of its cell: (2^bits + entry)/2^(bits+1) against 1/(2m).
 TEST_P(ReciprocalRom, EntriesFitTheirBitsAndMeetTheirBound) {
   Design design = kHighTile;
   design.reciprocal_lut_bits = GetParam();
@@ -254,7 +254,7 @@ TEST_P(ParabolaRom, CoefficientsFitTheirBits) {
   }
   EXPECT_EQ(bit_length(static_cast<uint64_t>(greatest_c1)), parabola_c1_bits(design));
   EXPECT_EQ(bit_length(static_cast<uint64_t>(greatest_c2)), parabola_c2_bits(design));
-  // As derived, and a bit more where the greatest rounds up to a power of two.
+  // As derived, plus one bit where the greatest coefficient rounds up to a power of two.
   const int derived = design.reciprocal_bits + 2 - design.reciprocal_lut_bits;
   EXPECT_EQ(parabola_c1_bits(design), derived + (design.reciprocal_lut_bits == 12 ? 1 : 0));
 }
@@ -275,7 +275,8 @@ TEST(ReciprocalCycles, OneToAlignAndTheSchemesOwn) {
   EXPECT_EQ(cycles("restoring4_odd"), 17);
 }
 
-// With a reciprocal of two cycles the planes wait for the differences.
+// Planes start when both the reciprocal and the differences are ready: here they wait for the
+// differences.
 TEST(SetupCycles, PlanesStartWhenBothReciprocalAndDifferencesAreThere) {
   EXPECT_EQ(widths(kHighTile).setup_planes_step, 8);
   EXPECT_EQ(widths(kHighTile).setup_interval_cycles, 12);
@@ -283,7 +284,8 @@ TEST(SetupCycles, PlanesStartWhenBothReciprocalAndDifferencesAreThere) {
   EXPECT_EQ(widths(kSchemes[0]).setup_interval_cycles, 10);
   EXPECT_EQ(widths(*find_design("div28")).setup_planes_step, 32);
   EXPECT_EQ(widths(*find_design("div28")).setup_interval_cycles, 36);
-  // A lone plane behind a slow reciprocal: the step that starts it is one of the interval's.
+  // One plane behind a slow reciprocal: the step that starts the reciprocal is part of the
+  // interval.
   Design lone = *find_design("div28");
   lone.attributes = 0;
   EXPECT_EQ(widths(lone).setup_planes_step, 32);

@@ -1,4 +1,4 @@
-// What every table of names must hold.
+// A check that every table of names must pass.
 #pragma once
 
 #include <set>

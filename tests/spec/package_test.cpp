@@ -46,7 +46,7 @@ Contract one_less(Parameter parameter) {
   return contract(design);
 }
 
-// A changed width shows in the text, so a stale file is seen, and in both hashes.
+// A changed width changes the text, so that a stale file is noticed, and both hashes.
 TEST(Package, ChangedFormatChangesTheTextAndBothHashes) {
   const std::string committed = committed_package();
   std::set<uint64_t> packages{package_hash(contract(kHighTile))};
@@ -59,7 +59,7 @@ TEST(Package, ChangedFormatChangesTheTextAndBothHashes) {
   }
 }
 
-// A buffer decides no bit: plug-ins become stale, vectors do not.
+// The size of a buffer affects no bit: plug-ins become stale, vectors do not.
 TEST(Package, ChangedBufferLeavesTheFormatsHashAlone) {
   for (const Parameter parameter : kBuffers) {
     EXPECT_NE(package_hash(one_less(parameter)), package_hash(contract(kHighTile)));
@@ -67,7 +67,7 @@ TEST(Package, ChangedBufferLeavesTheFormatsHashAlone) {
   }
 }
 
-// What a scheme does not have, its package does not hold.
+// The package has a ROM only if the scheme does.
 TEST(Package, RomStandsWhereTheSchemeHasOne) {
   const auto holds = [](const Design& design, const std::string& text) {
     return package_text(contract(design)).find(text) != std::string::npos;

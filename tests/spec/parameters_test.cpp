@@ -1,4 +1,4 @@
-// The table of parameters: all of Design, ranges and their errors, what is not looked at, and the
+// The table of parameters: it holds all of Design; ranges and their errors; unused parameters; the
 // table of docs/designs.md.
 #include "model/spec/parameters.h"
 
@@ -42,7 +42,7 @@ constexpr Design of_scheme(ReciprocalScheme scheme) {
   return d;
 }
 
-/// A colour a triangle: no depth, no planes, no reciprocal.
+/// Flat colour only: no depth, no planes, no reciprocal.
 constexpr Design bare() {
   Design d;
   d.depth_test = false;
@@ -51,8 +51,8 @@ constexpr Design bare() {
   return d;
 }
 
-// The compiler refuses a constant whose evaluation has undefined behaviour: an overflow, a shift
-// by too much.
+// Evaluated at compile time: the compiler refuses a constant with undefined behaviour, such as an
+// overflow or a shift by too much.
 constexpr int kAnything[] = {INT_MIN, -1, 0, 1000000, INT_MAX};
 constexpr bool widths_are_defined(const Design& design) {
   for (const int value : kAnything) {
@@ -77,7 +77,7 @@ struct Any {
 template <size_t>
 using AnyOf = Any;
 
-/// Can a design be made of so many values? Not of more than it has members.
+/// Can a Design be initialised with this many values? Only if it has that many members.
 template <size_t... I, class = decltype(Design{AnyOf<I>()...})>
 constexpr bool has_members(std::index_sequence<I...>) {
   return true;
@@ -94,14 +94,14 @@ TEST(Parameters, EveryKeyAndMemberStandsOnce) {
       EXPECT_EQ(&parameter(number->member), &p) << p.key;
     }
   }
-  // A design has its name and summary beside them, and nothing else.
+  // Besides the parameters a design has a name and a summary, and nothing else.
   EXPECT_TRUE(has_members(std::make_index_sequence<std::size(kParameters) + 2>()));
   EXPECT_FALSE(has_members(std::make_index_sequence<std::size(kParameters) + 3>()));
   EXPECT_THROW(parameter("fog"), std::out_of_range);
   EXPECT_THROW(parameter(nullptr), std::out_of_range);
 }
 
-// The end of a range is allowed, and what lies beyond it is named by its key, in its unit.
+// The ends of a range are allowed; a value beyond them is refused under its key, in the key's unit.
 TEST(Parameters, BeyondEachEndOfEachRangeIsRefusedByTheKeysOwnValue) {
   int ends = 0;
   for (const Parameter& p : kParameters) {
@@ -129,7 +129,7 @@ TEST(Parameters, BeyondEachEndOfEachRangeIsRefusedByTheKeysOwnValue) {
   EXPECT_EQ(ends, 4 * 23);
 }
 
-// The first of two errors is the one of the list, whatever the order of a file.
+// With two errors the first in the table is reported, whatever the order in the file.
 TEST(Parameters, RangesAreLookedAtInAFixedOrder) {
   const char* const order[] = {"subpixel_bits",
                                "guard_bits",
@@ -190,7 +190,7 @@ TEST(Parameters, DifferencesAreInTheOrderOfAFile) {
   EXPECT_TRUE(differences(d, d).empty());
 }
 
-/// Whatever reads a contract has numbers that arithmetic can bear.
+/// Unused parameters with any value change nothing and overflow nowhere.
 TEST(UnusedParameters, MayHoldAnything) {
   Design all[] = {bare(),
                   of_scheme(ReciprocalScheme::kNone),
@@ -227,7 +227,7 @@ TEST(UnusedParameters, OfAFileMayHoldAnything) {
   EXPECT_THROW(parse_design("reciprocal_lut_bits = 1000000\n", "d.toml"), DesignFileError);
 }
 
-// So no name, package or hash of a design that there is moves.
+// Replacing unused values changes no named design, so no package or hash of one.
 TEST(UnusedParameters, OfNamedDesignsStayAsTheyAre) {
   for (const Design& d : designs()) EXPECT_EQ(design_toml(tamed(d)), design_toml(d));
   for (const Design& d : kSchemes) EXPECT_EQ(design_toml(tamed(d)), design_toml(d));

@@ -1,4 +1,4 @@
-// Random numbers: published ones first, then each kind of draw by what it takes of 64 bits.
+// Random numbers: published sequences first, then each kind of draw by the 64 bits that it takes.
 #include "model/spec/random.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace pineda::spec {
 namespace {
 
-// An engine of known bits.
+// An engine that returns given bits.
 class Stated {
  public:
   explicit Stated(uint64_t bits) : bits_(bits) {}

@@ -1,4 +1,4 @@
-// The table of the reciprocal's schemes: what a row says agrees with itself and with the package.
+// The table of reciprocal schemes: each row is consistent with itself and with the package.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ Design of(const Scheme& scheme) {
   return d;
 }
 
-/// What an entry's parts contradict; empty if nothing does.
+/// How an entry of the table contradicts itself; empty if it does not.
 std::string rom_fault(const ReciprocalRom& rom, const Design& d) {
   for (int i = 0; i < 1 << d.reciprocal_lut_bits; ++i) {
     int bits = 0;
@@ -54,7 +54,7 @@ TEST(ReciprocalSchemes, MutantRomWhoseEntriesLackABitIsSeen) {
   EXPECT_EQ(rom_fault(mutant, kHighTile), "a part beyond its bits");
 }
 
-// The named ones and their makers' promises: proven error, time, no part that another scheme has.
+// Each scheme states its cycles and error bound, and the package names its parts and no others.
 TEST(ReciprocalSchemes, EachSaysItsCyclesErrorAndWhatThePackageNames) {
   for (const Scheme& scheme : kReciprocalSchemes) {
     const Design d = of(scheme);
@@ -77,7 +77,7 @@ TEST(ReciprocalSchemes, EachSaysItsCyclesErrorAndWhatThePackageNames) {
   }
 }
 
-// A quadratic's square needs bits, where there is a reciprocal at all.
+// A quadratic needs a minimum of bits, but only in designs that have a reciprocal.
 TEST(ReciprocalSchemes, WhatASchemeRefusesIsAskedOfDesignsThatHaveIt) {
   Design d = of(quadratic::kScheme);
   d.reciprocal_lut_bits = 12;

@@ -1,5 +1,5 @@
-// Designs that no name stands for: each scheme of the reciprocal that no named design has, and the
-// corners of the others.
+// Designs for tests without a name in the program: each reciprocal scheme that no named design has,
+// and corner cases of the others.
 #pragma once
 
 #include "model/spec/design.h"
@@ -39,7 +39,7 @@ inline constexpr Design kSchemes[] = {
     small(scheme_design("restoring2_small", ReciprocalScheme::kRestoring2, 0, 0, 19)),
 };
 
-/// Setups that no named design has: each style without parts that the named ones have, at the
+/// Setups that no named design has: each style without the parts that the named ones have, at the
 /// greatest widths, and with every scheme that it may have.
 constexpr Design setup_design(const char* name, SetupStyle style, Design d) {
   d.name = name;

@@ -1,4 +1,4 @@
-// What makes pineda check say no.
+// What makes pineda check report a failure.
 #include <gtest/gtest.h>
 
 #include "cli/report/report.h"

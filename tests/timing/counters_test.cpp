@@ -1,4 +1,4 @@
-// The table of counters: each one stands in it once, under a name and a place of its own.
+// The table of counters: each counter is in it once, with its own name and place.
 #include "model/timing/counted/counters.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using timing::Counter;
 const spec::Contract kWide = spec::contract(*spec::find_design("wide"));  // stamps of 16 samples
 const spec::Contract kFlat = spec::contract(*spec::find_design("flat"));  // no depth
 
-// Every counter of a frame holds another value, `from` and up.
+// Sets every counter of a frame to a different value, `from` and up.
 timing::FrameResult distinct(int64_t from) {
   timing::FrameResult result = timing::empty_result(kWide);
   timing::for_each_counter(kWide, result, [&](const Counter&, auto& count) {
@@ -54,7 +54,7 @@ TEST(CounterTable, HoldsEveryMemberOnceUnderANameOfItsOwn) {
   EXPECT_EQ(list.size(), 56u + 14u);
   EXPECT_EQ(*counts.begin(), 1);
   EXPECT_EQ(*counts.rbegin(), 70);
-  // No member was left out.
+  // No member is missing in the table.
   EXPECT_GT(result.spent.drained, 0);
   for (const auto& unit : result.spent.units) {
     EXPECT_GT(*std::min_element(unit.spent.begin(), unit.spent.end()), 0);
@@ -118,7 +118,7 @@ TEST(CounterTable, DesignWithoutDepthHasNoRtlBehindItsDepthPorts) {
   EXPECT_EQ(all.at("color_write.stalls").rtl, "color_write_stalls");
 }
 
-// A stamp of k samples is an event of kind k.
+// An event of kind k is a stamp of k samples.
 TEST(CounterTable, EventsOfTheRtlAreAddedAsTheRowSays) {
   const auto sum = [](const std::string& name) {
     const uint64_t events[] = {1000, 100, 10, 1};
@@ -150,7 +150,8 @@ TEST(FrameCounterTable, ReadsAndWritesTheMemberOfEachRow) {
   EXPECT_EQ(counters.passed, 1014u);
 }
 
-// A drop has a name with spaces for a person and a key with underscores for files: the same words.
+// A drop's name, for people, has spaces; its key, for files, has underscores: the words are the
+// same.
 TEST(FrameCounterTable, DropsAreSpelledAsTheirNames) {
   for (int i = 1; i < core::kDropCauses; ++i) {
     std::string words = spec::name_of(static_cast<Drop>(i));

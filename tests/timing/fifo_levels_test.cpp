@@ -33,7 +33,7 @@ std::vector<Slot> random_slots(int depth, uint32_t seed) {
   return slots;
 }
 
-// In t a slot is taken, so t + 1 begins with it; the cycle in which it is freed still does.
+// A slot taken in t counts from t + 1 to the cycle in which it is freed.
 std::vector<Cycle> counted(const std::vector<Slot>& slots, int depth, Cycle drained) {
   std::vector<Cycle> cycles(static_cast<size_t>(depth) + 1);
   for (Cycle cycle = 0; cycle < drained; ++cycle) {
@@ -46,7 +46,7 @@ std::vector<Cycle> counted(const std::vector<Slot>& slots, int depth, Cycle drai
 
 std::vector<Cycle> levels_of(const std::vector<Slot>& slots, int depth, Cycle drained) {
   FifoLevels levels(depth);
-  levels.slot(3, 9);  // of a frame before
+  levels.slot(3, 9);  // left over from an earlier frame
   levels.begin_frame();
   for (const Slot& slot : slots) levels.slot(slot.inserted, slot.freed);
   return levels.cycles(drained);
@@ -74,8 +74,8 @@ TEST(FifoLevels, ExchangeInOneCycleKeepsTheLevel) {
   EXPECT_EQ(levels_of({{0, 4}, {4, 6}}, 2, 8), (std::vector<Cycle>{2, 6, 0}));
 }
 
-// Some tokens that wait, then a run of which each is freed in the cycle after it came, with gaps;
-// the last one that waits is freed no later than the first one of the run comes.
+// Some tokens that wait, then a run of tokens each freed in the cycle after it came, with gaps. The
+// last waiting token is freed no later than the run's first token comes.
 TEST(FifoLevels, RunThatFlowsFreelyCountsAsItsTokens) {
   for (uint32_t seed = 0; seed < 50; ++seed) {
     spec::Random random(seed);

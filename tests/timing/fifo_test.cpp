@@ -74,7 +74,7 @@ TEST(TimedFifo, TwoSlotsKeepTheRate) {
   EXPECT_EQ(bench.popped, (Cycles{6, 7, 8, 9}));
 }
 
-// The consumer is far behind in time, yet the producer finds the cycle of each release.
+// The consumer is simulated much later, yet the producer learns the exact cycle of each release.
 TEST(TimedFifo, LateConsumerPushesBackToTheCycle) {
   Bench bench("bench", 2, {0, 0, 0, 500}, {100, 0, 300, 0});
   bench.run();

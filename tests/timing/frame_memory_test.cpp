@@ -1,4 +1,4 @@
-// The memory that is shipped: for initiators that know nothing of it, and behind the rasterizer.
+// The memory model that comes with the project: with other initiators, and behind the rasterizer.
 #include "model/timing/ports/frame_memory.h"
 
 #include <gtest/gtest.h>
@@ -18,14 +18,14 @@ using timing::FrameMemory;
 
 sc_time ns(double x) { return {x, sc_core::SC_NS}; }
 
-// Someone else's processor.
+// A processor that knows only TLM-2.0.
 struct Initiator : sc_core::sc_module {
   tlm_utils::simple_initiator_socket<Initiator> depth{"depth"};
   tlm_utils::simple_initiator_socket<Initiator> color{"color"};
 
   explicit Initiator(sc_core::sc_module_name name) : sc_module(name) {}
 
-  // The delay that comes back for one that starts with `at`.
+  // The delay that is returned for a transaction with an initial delay of `at`.
   template <class Socket>
   sc_time transfer(Socket* socket, tlm::tlm_command command, uint64_t address,
                    std::vector<unsigned char>* bytes, const sc_time& at) {
@@ -92,7 +92,7 @@ TEST_F(ForeignInitiator, ReadsWhatTheFrameIsClearedTo) {
 // Bytes 8 .. 39 lie in three stamps, which are read in three cycles.
 TEST_F(ForeignInitiator, RangeIsAccessedStampByStamp) { EXPECT_EQ(read(8, 32, 0), ns(10)); }
 
-// As in DramTiming.MissWaitsForItsFillAndBlocksItsPortAlone; the next one waits for the port.
+// As in DramTiming.MissWaitsForItsFillAndBlocksItsPortAlone; the next request waits for the port.
 TEST_F(ForeignInitiator, WaitsForDram) {
   make_dram();
   EXPECT_EQ(read(0, 16, 100), ns(131));
@@ -150,7 +150,7 @@ core::FrameBuffer core_frame(const Scene& scene, const spec::Contract& contract)
   return renderer.buffer();
 }
 
-// Ready in every cycle, but it could be otherwise: so no direct access is granted.
+// Always ready, but through a function that could say otherwise: so no direct access is granted.
 const timing::Ready kAlways = [](timing::ExternalPort, Cycle) { return true; };
 
 TEST(RasterMemory, DirectAccessAndTransportTakeTheSameCycles) {
@@ -187,8 +187,8 @@ TEST(RasterMemory, DramIsSlowerAndLeavesTheSameFrame) {
   }
 }
 
-/// DRAM that sees whether requests come in the order of their cycles, as they do at the RTL: the
-/// ports depend on one another.
+/// DRAM that checks whether requests come in the order of their cycles, as they do at the RTL. The
+/// order matters since the ports affect one another.
 class OrderSeeing final : public memory::MemoryTiming {
  public:
   explicit OrderSeeing(const spec::Contract& contract)
@@ -210,7 +210,7 @@ class OrderSeeing final : public memory::MemoryTiming {
   }
 
   size_t requests = 0;
-  size_t late = 0;  // of them: those that one of a later cycle came before
+  size_t late = 0;  // those that came after one of a later cycle
 
  private:
   std::shared_ptr<memory::MemoryTiming> dram_;
@@ -270,7 +270,7 @@ INSTANTIATE_TEST_SUITE_P(, RasterMemoryDesigns,
                          testing::Values("wide", "tiny", "flat", "persp", "bare", "deep"),
                          [](const auto& p) { return std::string(p.param); });
 
-// A memory outside whose transport waits, so that time passes inside of run().
+// A foreign memory whose transport calls wait(), so that time passes inside of run().
 struct Waiting : sc_core::sc_module {
   tlm_utils::simple_target_socket<Waiting> depth{"depth"};
   tlm_utils::simple_target_socket<Waiting> color{"color"};

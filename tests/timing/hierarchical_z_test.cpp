@@ -1,4 +1,4 @@
-// Hierarchical z in time: the frame is the same, tiles that cannot be seen are not walked.
+// Hierarchical z in time: the frame is the same, but tiles that are hidden are not walked.
 #include <gtest/gtest.h>
 
 #include "tests/timing/support.h"
@@ -13,7 +13,7 @@ spec::Contract hierarchical(int delay_cycles) {
   return spec::contract(d);
 }
 
-// By hand: one tile, four stamps of it known.
+// Worked by hand: a frame of one tile of 16 stamps.
 class OneTile : public testing::Test {
  protected:
   OneTile() { z_.begin_frame({8, 8, spec::Cull::kNone, spec::DepthFunc::kLess}); }
@@ -51,8 +51,8 @@ TEST_F(OneTile, AFrameStartsClear) {
   EXPECT_FALSE(z_.hides(100, 0, 0, 4095));
 }
 
-// Of .5 the top twelve bits of 24: what lies behind them is hidden before anything is drawn, and
-// what is written afterwards counts as ever.
+// Cleared to .5, of which the top twelve of 24 bits are kept: what lies behind is hidden before
+// anything is drawn; later writes count as usual.
 TEST_F(OneTile, AFrameHidesWhatLiesBehindItsClearedDepth) {
   spec::FrameState frame{8, 8, spec::Cull::kNone, spec::DepthFunc::kLess};
   frame.clear_depth = .5;

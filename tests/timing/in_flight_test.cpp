@@ -1,4 +1,4 @@
-// InFlight against a cycle kept for every stamp.
+// InFlight compared with a cycle kept for every stamp.
 #include "model/timing/units/in_flight.h"
 
 #include <gtest/gtest.h>
@@ -54,14 +54,14 @@ fast::TileCover random_cover(const spec::Contract& c, spec::Random* random) {
 constexpr Cycle kFlight = 9;  // from a stamp taken until it retires
 
 // Runs and single stamps of six tiles; returns how many stamps were compared, -1 if one differed.
-// `late`: cycles by which the plain side believes a run to retire later.
+// `late`: the mutant, by how many cycles the expected side lets runs retire later.
 int compare(const spec::Contract& c, uint32_t seed, Cycle late) {
   spec::Random random(seed);
   InFlight in_flight(c.design);
   in_flight.begin_frame(6);
   const size_t stamps = size_t{1} << fast::stamps_log2(c.design);
   std::vector<std::vector<Cycle>> expected(6, std::vector<Cycle>(stamps));
-  std::vector<Cycle> since(6);  // what was free before does not matter
+  std::vector<Cycle> since(6);  // cycles before the last run do not matter
   int compared = 0;
   Cycle now = 0;
   for (int step = 0; step < 200; ++step) {

@@ -9,7 +9,7 @@
 namespace pineda::test {
 namespace {
 
-// What the unit gets from traversal, made of a stamp: the tile that it lies in.
+// The tile that traversal would send with a stamp, made from the stamp.
 class Tiled {
  public:
   explicit Tiled(const spec::Contract& contract) : design_(contract.design), cover_(contract) {}
@@ -63,8 +63,8 @@ class Unit {
     frame_.listener = listener;
     frame_.tokens = true;
     unit_.begin_frame(&frame_);
-    // The next stamp is offered in the first cycle after the last one was taken in which the input
-    // does not stall.
+    // The next stamp is offered in the first cycle, after the last one was taken, in which the
+    // input does not stall.
     accepted_.clear();
     Cycle offered = 0;
     for (const spec::Stamp& stamp : stamps) {
@@ -129,7 +129,7 @@ TEST_P(InterpZtestCycles, EqualWriteByWrite) {
   EXPECT_GT(writes, 3'000u);
 }
 
-// A pipe of one stage less in the model: other cycles.
+// The mutant: a model with a pipeline stage less has other cycles.
 TEST(InterpZtestCyclesMutant, AStageLessIsNoticed) {
   const tb::RtlLibrary& library = tb::raster_rtl("sheer");
   spec::Contract shorter = library.contract();

@@ -1,4 +1,4 @@
-// The memory sockets of the rasterizer at targets of all sorts, and the memory that is shipped at
+// The rasterizer's memory sockets with targets of all sorts, and the project's memory model with
 // initiators of all sorts.
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -16,7 +16,7 @@ using timing::MemorySocket;
 
 sc_time ns(double x) { return {x, sc_core::SC_NS}; }
 
-// Someone else's memory: does what it is told with each transaction, and remembers the last one.
+// A foreign memory: handles each transaction by `serve`, and remembers the last one.
 struct Target : sc_core::sc_module {
   tlm_utils::simple_target_socket<Target> socket{"socket"};
   std::function<void(tlm::tlm_generic_payload&, sc_time&)> serve;
@@ -111,7 +111,7 @@ TEST_F(MemoryPort, ColorsAreBytesInOrder) {
   for (size_t i = 0; i < 16; ++i) EXPECT_EQ(color_.bytes[i], 16 * (i / 4) + i % 4);
 }
 
-// Knows no ready: reads are accepted at once, and answered when the delay is over.
+// The target has no ready signal: reads are accepted at once and answered after the delay.
 TEST_F(MemoryPort, ForeignTargetAnswersAfterItsDelay) {
   spec::DepthData data;
   EXPECT_EQ(ports_.depth.read(0, 0, 1, 10, &data).response, 11);  // no delay: the next cycle
@@ -133,7 +133,7 @@ TEST_F(MemoryPort, CyclesAreAsLongAsThePlatformSays) {
   EXPECT_EQ(depth_.delay, ns(250));
 }
 
-// Not ready until 40: a call that is not served, then one that is.
+// Not ready until 40: one call that is not served, then one that is.
 TEST_F(MemoryPort, RequestIsOfferedAgainWhenTheTargetSays) {
   depth_.serve = [](tlm::tlm_generic_payload& payload, sc_time& time) {
     auto* const handshake = payload.get_extension<HandshakeExtension>();
@@ -178,7 +178,7 @@ TEST_F(MemoryPort, GrantedDirectAccessNeedsNoMoreCalls) {
 TEST_F(MemoryPort, DirectAccessEndsWhenItIsInvalidated) {
   depth_.grants = true;
   ports_.depth.write(depth_write(0, 0, 0b1111), 1);
-  depth_.socket->invalidate_direct_mem_ptr(1 << 20, 1 << 21);  // of others
+  depth_.socket->invalidate_direct_mem_ptr(1 << 20, 1 << 21);  // an address range of other memory
   ports_.depth.write(depth_write(0, 0, 0b1111), 2);
   EXPECT_EQ(depth_.calls, 1);
   depth_.socket->invalidate_direct_mem_ptr(0, 100);

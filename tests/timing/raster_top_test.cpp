@@ -35,8 +35,8 @@ class RasterTopTiming : public testing::Test {
   Record record_;
 };
 
-// Accepted in 2, set up in 21, its tile tested in 23, its stamp in 25, sent in 26, its read in 27,
-// the response there in 36, the depth write in 37, the colour's behind its interpolation in 38.
+// Accepted in 2, set up in 21, its tile tested in 23, its stamp found in 25 and sent in 26; read in
+// 27, response in 36, depth write in 37, and in 38, behind interpolation, the colour write.
 TEST_F(RasterTopTiming, OneStampTakesThirtyNineCycles) {
   const auto result = run({{2, 2}, {cover()}});
   EXPECT_EQ(cycles_of(record_.prims), Cycles{21});
@@ -69,7 +69,7 @@ TEST_F(RasterTopTiming, FrameWithoutWritesLastsToItsClear) {
   EXPECT_EQ(dropped.spent.drained, 7);
 }
 
-// The second stamp of the same address is there in 39. The first one's read is accepted in 27, its
+// The second stamp of the same address arrives in 39. The first one's read is accepted in 27, its
 // write in 27 + 66: the address is free in 94.
 TEST_F(RasterTopTiming, StampOfAnAddressInFlightWaitsForItsWrite) {
   top_.set_depth_latency_cycles(64);
@@ -78,7 +78,7 @@ TEST_F(RasterTopTiming, StampOfAnAddressInFlightWaitsForItsWrite) {
   EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kHazard], 94 - 39);
 }
 
-// An address whose stamp fails the test is in flight as long as if it had been written.
+// The address of a stamp that fails the test is in flight as long as if it had been written.
 TEST_F(RasterTopTiming, HazardDoesNotDependOnDepth) {
   top_.set_depth_latency_cycles(64);
   const auto result = run({{2, 2}, {cover(1000), cover(2000), cover(500)}});
@@ -157,7 +157,7 @@ TEST_P(RasterTopScenes, BitsAndCountersAreThoseOfCore) {
 
 TEST_P(RasterTopScenes, CausesOfEachUnitAddUpToTheFrame) {
   for (uint64_t seed = 0; seed < 20; ++seed) {
-    // Each port stands still every third cycle, another one in each cycle.
+    // Each port is not ready in every third cycle, each in another one.
     top_.set_ready([seed](ExternalPort port, Cycle cycle) {
       return (cycle + static_cast<Cycle>(port)) % 3 != static_cast<Cycle>(seed % 3);
     });
@@ -192,8 +192,8 @@ TEST_P(RasterTopScenes, FrameDoesNotDependOnTheFramesBefore) {
             again.of(Unit::kInterpZtest)[Cause::kHazard]);
 }
 
-// Frames of one size after each other, whose memory is kept: with a listener, without one, and with
-// nothing but time, where depths are cleared as they are wanted.
+// Frames of one size, one after the other, in the same memory: with a listener, without one, and
+// computing time only, where depths are cleared when they are first needed.
 TEST_F(RasterTopTiming, EachFrameIsClearedToItsOwnDepth) {
   timing::RasterTop& top = top_;
   int passed = 0;
@@ -216,7 +216,7 @@ TEST_F(RasterTopTiming, EachFrameIsClearedToItsOwnDepth) {
       EXPECT_EQ(top.run(scene.frame, scene.triangles).cycles, direct.cycles) << depth;
     }
   }
-  EXPECT_EQ(passed, 9);  // greater than the greatest, less than 0: nothing
+  EXPECT_EQ(passed, 9);  // greater than the greatest or less than 0: none
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, RasterTopScenes, testing::ValuesIn(kKinds),

@@ -15,7 +15,7 @@
 namespace pineda::test {
 namespace {
 
-// Each unit's causes and each FIFO's levels add up to the frame.
+// Do each unit's causes and each FIFO's levels add up to the frame's cycles?
 bool adds_up(const timing::CycleCounters& spent) {
   bool all = true;
   for (const auto& unit : spent.units) all = all && unit.total() == spent.drained;
@@ -38,8 +38,8 @@ std::string counters_that_differ(const spec::Contract& c, const timing::FrameRes
   return text;
 }
 
-// The first difference between RTL and model on a scene, each as after a reset; empty if none. The
-// RTL runs with the memory latency of `options`, the model with `model_latency`.
+// The first difference between RTL and model on a scene, each from reset; empty if none. The RTL
+// has the memory latency of `options`, the model `model_latency`.
 class Comparison {
  public:
   explicit Comparison(const spec::Contract& contract = kContract)
@@ -77,7 +77,7 @@ class Comparison {
   uint64_t hidden() const { return hidden_; }
   /// What the RTL counted in all runs together.
   int64_t counted(const std::string& name) const { return counted_.at(name); }
-  /// Whether RTL and model left the same frame each time; the last one.
+  /// Did RTL and model leave the same frame each time? last(): that of the last run.
   bool same_frame() const { return same_frame_; }
   const core::FrameBuffer& last() const { return last_; }
 
@@ -156,7 +156,7 @@ TEST_P(RtlDesigns, EqualAtEveryLatencyUnderEveryStall) {
     }
   }
   EXPECT_GT(comparison.stamps(), 5000u);
-  // Counters that agree because nothing happened would show nothing.
+  // Agreeing counters show nothing if they are 0.
   for (const char* name :
        {"dropped.zero_area", "dropped.facing", "dropped.no_sample", "dropped.outside",
         "setup.blocked", "tiles.blocked", "stamps.blocked", "interp_ztest.starved",
@@ -168,7 +168,7 @@ TEST_P(RtlDesigns, EqualAtEveryLatencyUnderEveryStall) {
        {"interp_ztest.memory", "depth_read.stalls", "depth_write.stalls", "samples_failed"}) {
     EXPECT_GT(comparison.counted(name), 0) << name;
   }
-  // Serial setup sends the next triangle long after the writes of the last.
+  // Serial setup sends the next triangle long after the last one's writes.
   const bool close = contract.design.setup_style != spec::SetupStyle::kSerial;
   EXPECT_EQ(comparison.counted("interp_ztest.hazard") > 0, close);
 }
@@ -209,8 +209,8 @@ TEST(RtlClearDepth, EqualInEveryDepthFunctionUnderEveryStall) {
   EXPECT_GT(comparison.counted("samples_failed"), 1000);
 }
 
-// The end of a frame is taken in the cycle in which the model says that the pipeline has drained,
-// and the next frame is offered in the one after.
+// The end of a frame is accepted in the cycle in which, by the model, the pipeline has drained. The
+// next frame is offered in the cycle after.
 TEST(RtlFrames, DrainedCyclesPlaceTheNextFrame) {
   const tb::RtlLibrary library(kContract);
   tb::FrameBench bench(library, {});
@@ -239,8 +239,8 @@ TEST(RtlLatency, OneCycleLessInTheModelIsNoticed) {
   EXPECT_NE(comparison.run(scene, options, 8), "");
 }
 
-// The mutant of the RTL counts a stamp walker that waits as busy, and its other faults do not show
-// on this scene: the two counters that are wrong are named, and no other.
+// The mutant RTL counts a waiting stamp walker as busy; its other faults do not show on this scene.
+// Exactly the two wrong counters are named.
 TEST(RtlCountersMutant, BlockedCountedAsBusyIsNoticed) {
   const tb::RtlLibrary library(kContract, PINEDA_RTL_MUTANT);
   tb::BenchOptions options;
@@ -259,7 +259,7 @@ TEST(RtlCountersMutant, BlockedCountedAsBusyIsNoticed) {
   EXPECT_EQ(differences[1].rtl, 0);
 }
 
-// The same design but for a division of two bits a cycle: other cycles, the same bits.
+// The mutant: the model divides two bits a cycle, which gives other cycles and the same bits.
 TEST(RtlDesignsMutant, QuickerReciprocalInTheModelIsNoticed) {
   const spec::Design div28 = *spec::find_design("div28");
   spec::Design quicker = div28;
@@ -314,7 +314,7 @@ TEST_F(Hidden, CyclesAndTokensAreEqualAtEveryLatencyUnderEveryStall) {
         ASSERT_EQ(comparison_.run(scene, options), "")
             << kind_name(kind) << ", latency " << latency << ", " << tb::stall_mode_name(mode);
       }
-      // More tiles than are kept, borders that cut tiles and stamps.
+      // More tiles than hierarchical z keeps, and borders that cut tiles and stamps.
       ASSERT_EQ(comparison_.run(layers(93, 61), options), "") << latency;
     }
   }
@@ -322,8 +322,8 @@ TEST_F(Hidden, CyclesAndTokensAreEqualAtEveryLatencyUnderEveryStall) {
   EXPECT_GT(comparison_.hidden(), 1000u);
 }
 
-// Cleared to the middle, tiles behind it are hidden from the start; with the functions of reversed
-// z none is. The frames are those of the design without it.
+// If the frame is cleared to the middle, tiles behind it are hidden from the start; the functions
+// of reversed z hide none. The frames are those of the design without hierarchical z.
 TEST_F(Hidden, EqualOnEveryClearedDepthInEveryDepthFunctionUnderEveryStall) {
   for (const tb::StallMode mode : tb::kStallModes) {
     tb::BenchOptions options;
@@ -354,7 +354,7 @@ TEST_F(Hidden, EqualOnEveryClearedDepthInEveryDepthFunctionUnderEveryStall) {
   EXPECT_GT(comparison_.hidden(), 1000u);
 }
 
-// The frame is that of the design without it, and fewer stamps are sent.
+// The frame is that of the design without hierarchical z, and fewer stamps are sent.
 TEST_F(Hidden, LeavesTheSameFrameAndSendsFewerStamps) {
   const Scene scene = layers(60, 40);
   ASSERT_EQ(comparison_.run(scene, {}), "");
@@ -366,8 +366,8 @@ TEST_F(Hidden, LeavesTheSameFrameAndSendsFewerStamps) {
   EXPECT_LT(comparison_.stamps(), renderer.counters().stamps * 3 / 4);
 }
 
-// A model that sees depths some cycles later is noticed: one tile again and again, all but the
-// first time behind what is there.
+// The mutant: a model that sees written depths some cycles later. One tile is drawn repeatedly; all
+// but the first time it lies behind the stored depth.
 TEST(HiddenMutant, LongerDelayInTheModelIsNoticed) {
   spec::Design slower = hidden_contract().design;
   slower.hierarchical_z_delay_cycles += 12;
@@ -387,8 +387,8 @@ TEST(HiddenMutant, LongerDelayInTheModelIsNoticed) {
   EXPECT_LT(expected.stamps.size(), got.stamps.size());
 }
 
-// A model that takes every frame as cleared to the greatest depth is noticed: a tile behind what
-// the frame is cleared to.
+// The mutant: a model that takes every frame as cleared to the greatest depth. The tile lies behind
+// the cleared depth.
 TEST(HiddenMutant, GreatestClearedDepthInTheModelIsNoticed) {
   const tb::RtlLibrary library(hidden_contract(), PINEDA_RASTER_PLUGINS "/hidden.so");
   tb::FrameBench bench(library, {});

@@ -20,7 +20,8 @@ using studies::SampledWindow;
 using studies::SamplePlan;
 
 constexpr int kSeeds = 40;
-// At 95 %, 40 seeds hold 34 or more with a probability of .986; at 80 % with .27.
+// A true 95 % interval holds for 34 or more of 40 seeds with a probability of .986, an 80 % one
+// with .27.
 constexpr int kFewestHits = 34;
 constexpr int kBiasSeeds = 8;
 constexpr int kTriangles = 100'000;
@@ -57,8 +58,8 @@ scene::Scene slowly_changing() {
   return scene_of(std::move(triangles));
 }
 
-// One in 8 is larger. Runs of up to 40 lie outside of the frame, which setup drops faster than it
-// draws, and of up to 20 are no triangles at all.
+// One triangle in 8 is larger. Runs of up to 40 lie outside of the frame, where setup drops them
+// faster than it sets others up; runs of up to 20 hold a NaN.
 scene::Scene mixed() {
   spec::Random random(4);
   std::vector<scene::ScreenTriangle> triangles;
@@ -97,7 +98,7 @@ class Sampled : public testing::Test {
  protected:
   Sampled() { top_.set_bits(false); }
 
-  // What is estimated.
+  // The cycles that a sample estimates.
   Cycle full_run(const scene::Scene& scene) {
     scene.source->rewind();
     const auto pull = [&](spec::Triangle* t) { return scene.source->next(t); };
@@ -107,7 +108,7 @@ class Sampled : public testing::Test {
     scene.source->rewind();
     return studies::sample_cycles(&top_, kContract, scene.frame, scene.source.get(), plan, seed);
   }
-  // Of the mean of all seeds, as a share.
+  // The error of the mean of all seeds, as a share.
   double bias(const scene::Scene& scene, const SamplePlan& plan, Cycle cycles) {
     double sum = 0;
     for (int seed = 0; seed < kBiasSeeds; ++seed) {
@@ -144,12 +145,12 @@ TEST_P(SampledStreams, IntervalHoldsTheFullRunForMostSeeds) {
   RecordProperty("claims", claims);
   RecordProperty("worst_ppm", static_cast<int>(worst * 1e6));
   EXPECT_GE(hits, kFewestHits);
-  EXPECT_LT(narrow_hits, kFewestHits);  // a third of the interval is found to be too small
+  EXPECT_LT(narrow_hits, kFewestHits);  // a third of the interval must be too small
   EXPECT_LE(worst, .03);
-  EXPECT_GE(claims, kFewestHits);  // nothing to be disclaimed
+  EXPECT_GE(claims, kFewestHits);  // the interval is claimed to hold
 }
 
-// Each stratum is one block, so nothing is left out and nothing is left to chance.
+// Each stratum is one block, so every triangle is simulated and nothing is random.
 TEST_P(SampledStreams, AllBlocksAreTheFullRun) {
   const uint64_t triangles = *scene_.source->size();
   const SamplePlan plan{triangles, 256, 64, triangles / 256};
@@ -177,8 +178,8 @@ TEST_P(SampledStreams, LongerWarmUpChangesLittle) {
   EXPECT_NEAR(usual, bias(scene_, plan, cycles), .002);
 }
 
-// What the test above would find: seams between windows, counted as if they were in the stream. A
-// step closer many triangles are dropped, in runs.
+// The mutant for the test above: tiny windows count the effects of their borders as part of the
+// stream. From this nearer eye many triangles are dropped, in runs.
 TEST_F(Sampled, TinyWindowsWithoutWarmUpAreOff) {
   const scene::Scene scene = teapot_from(scene::Vec3{0, 3, 7});
   const uint64_t triangles = *scene.source->size();
@@ -188,9 +189,9 @@ TEST_F(Sampled, TinyWindowsWithoutWarmUpAreOff) {
 INSTANTIATE_TEST_SUITE_P(Streams, SampledStreams, testing::ValuesIn(kStreams),
                          [](const auto& p) { return p.param.name; });
 
-// From within: some triangles as large as the frame among thousands that setup drops. Windows that
-// hold none of them or few are below the truth, with a narrow interval. Those draws must be told
-// from the others.
+// From inside: a few triangles as large as the frame among thousands that setup drops. Draws whose
+// windows hold few or none of the large ones are too low, with too narrow an interval. Such draws
+// must be recognised.
 TEST_F(Sampled, IntervalBesideFewLargeTrianglesIsDisclaimed) {
   const scene::Scene scene = teapot_from(scene::Vec3{0, 1, 2});
   const auto cycles = static_cast<double>(full_run(scene));
@@ -204,11 +205,12 @@ TEST_F(Sampled, IntervalBesideFewLargeTrianglesIsDisclaimed) {
     ++misses;
     claimed_misses += estimate.windows_wanted <= plan->windows ? 1 : 0;
   }
-  EXPECT_GT(misses, kSeeds - kFewestHits);  // else there is nothing to tell
+  EXPECT_GT(misses, kSeeds - kFewestHits);  // else the test shows nothing
   EXPECT_LE(claimed_misses, 2);
 }
 
-// Setup runs ahead of a large triangle: between its acceptances lie the cycles of others.
+// Setup accepts triangles behind a large one early; the large one's cycles must count in its own
+// window.
 TEST_F(Sampled, LargeTriangleCountsInItsOwnWindow) {
   spec::Random random(6);
   std::vector<scene::ScreenTriangle> triangles;

@@ -61,8 +61,8 @@ TEST_F(SetupTiming, TriangleEveryIntervalAndDroppedOnesEveryFive) {
   EXPECT_EQ(cycles[Cause::kStarved], 2 + 14 + 8);
 }
 
-// The first output waits from 21 to 30: 9 cycles. The second triangle came before, the third is
-// accepted 9 cycles later, and so is the second output.
+// The first output waits from 21 to 30: 9 cycles. The second triangle was accepted before; the
+// third is accepted 9 cycles later, and the second output is also 9 cycles later.
 TEST_F(SetupTiming, OutputNotTakenFreezesTheWholeUnit) {
   Source source({good_, good_, good_}, {2, 0, 0});
   Sink sink({30, 0, 0});

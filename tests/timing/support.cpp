@@ -28,7 +28,7 @@ void randomize_values(Random* random, spec::Triangle* t) {
   }
 }
 
-// Corners within `reach` subpixels of a point of the frame.
+// Places the corners within `reach` subpixels of a point of the frame.
 void scatter(Random* random, const spec::FrameState& frame, int64_t reach, spec::Triangle* t) {
   const int64_t x = random->between(0, frame.width * kPx);
   const int64_t y = random->between(0, frame.height * kPx);
@@ -72,7 +72,7 @@ spec::Triangle random_triangle(Random* random, const spec::FrameState& frame, Ki
   return t;
 }
 
-// What the units look at beside size, cull state and the common depth functions.
+// The raster state that units look at besides size, cull and the common depth functions.
 void randomize_state(Random* random, spec::FrameState* frame) {
   if (random->between(0, 2) == 0)
     frame->depth = static_cast<spec::DepthFunc>(random->between(0, 8));
@@ -87,7 +87,7 @@ void randomize_state(Random* random, spec::FrameState* frame) {
     frame->clear_depth = static_cast<double>(random->between(0, 4)) / 4;
 }
 
-// From the formats of the default design to those of another; 1/w of any ratio.
+// Converts from the formats of the default design to those of another; 1/w in any ratio.
 void fit(Random* random, const spec::Contract& contract, spec::Triangle* t) {
   const spec::Design& d = contract.design;
   const int finer = spec::kHighTile.subpixel_bits - d.subpixel_bits;

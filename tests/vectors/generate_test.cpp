@@ -1,4 +1,4 @@
-// The generator: the same every time, and borne out by the judge or not at all.
+// The generator: the same files every time, and none that the judge contradicts.
 #include "vectors/generator/generate.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(Generator, EveryVertexLiesInsideTheFormats) {
       }
     }
   }
-  EXPECT_EQ(least, -guard);  // reached, and not passed
+  EXPECT_EQ(least, -guard);  // reached, but not exceeded
   EXPECT_EQ(greatest, guard - 1);
 }
 

@@ -1,4 +1,4 @@
-// Files that must not be taken, each with its one line.
+// Files that must be refused, each with its message of one line.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -180,7 +180,8 @@ TEST_F(Refusal, StateThatMeansNothing) {
   expect_refusal(with("frame 0007 0006 0 9"), number, "depth 0 to 8");
 }
 
-// Behind the frame's line; the greatest code is not written, so that a case has one form.
+// The line follows the frame's. The greatest code is never written, so that a case has one form
+// only.
 TEST_F(Refusal, ClearDepthThatIsNone) {
   const int number = line_of(setup_, "\nframe") + 2;
   const std::string frame = line(setup_, number - 1);
@@ -191,7 +192,7 @@ TEST_F(Refusal, ClearDepthThatIsNone) {
   expect_refusal(with("clear_depth 000000 1"), number, "a code less than the greatest");
   expect_refusal(with("clear_depth 00000"), number, "6 hex digits of clear_depth, got '00000'");
   expect_refusal(with("clear_depth"), number, "clear_depth");
-  expect_refusal(with("clear_depth 000000"), 8, "the hash");  // well formed
+  expect_refusal(with("clear_depth 000000"), 8, "the hash");  // valid, so the hash is refused
 }
 
 TEST_F(Refusal, FrameTooLargeForMemory) {

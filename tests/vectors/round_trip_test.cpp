@@ -27,7 +27,7 @@ TYPED_TEST(RoundTrip, ReadingBackGivesTheSameBytes) {
   EXPECT_EQ(file.seed, 5u);
   ASSERT_EQ(file.cases.size(), 2u);
   EXPECT_EQ(difference(kContract, sample_case<TypeParam>(), file.cases[1]), std::nullopt);
-  // The inputs too: the model makes the same of them.
+  // The inputs came back, too: the model gives the same outputs from them.
   EXPECT_EQ(difference(kContract, file.cases[0], run_model(kContract, file.cases[0])),
             std::nullopt);
 }

@@ -118,7 +118,7 @@ void huge_window(Draw& d) {
   }
 }
 
-// The whole guard band as the frame: no window hides a high bit of the box.
+// The frame is as large as the guard band, so that the box uses all of its bits.
 void huge_frame(Draw& d) {
   const int side = 1 << d.contract().design.guard_bits;
   d.frame(side, side);

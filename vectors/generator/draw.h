@@ -41,8 +41,8 @@ class Draw : public figures::Pen {
   }
   /// The centre of a pixel low .. high, in both directions.
   Point any_center(int64_t low, int64_t high) { return center_in_box({low, low}, {high, high}); }
-  /// A vertex with random depth and attributes; with perspective also 1/w, the three of a triangle
-  /// up to 2^20 apart and now and then as far as it goes.
+  /// A vertex with random depth and attributes; with perspective also 1/w, whose ratio within a
+  /// triangle is up to 2^20, now and then the greatest possible.
   spec::Vertex vertex(Point p);
 
   /// Adds a triangle whose vertices start anywhere and run either way round.

@@ -8,7 +8,7 @@ namespace {
 
 using spec::Contract;
 
-// Limits that keep the committed files small; a scene beyond them serves the other units.
+// Limits that keep the committed files small; a larger scene is used for the other units only.
 constexpr size_t kMaxStamps = 80;
 constexpr int64_t kMaxFrameCaseSamples = 512;
 constexpr int64_t kMaxBoxTiles = 65536;
@@ -67,8 +67,8 @@ spec::Plane raw_plane(spec::Random& random, int bits) {
   return {any(), any(), any()};
 }
 
-// Stamps that no triangle makes: they wrap, clamp and round where scenes cannot. The judge has
-// nothing to say of them; the definition in core is all there is.
+// Stamps with random planes, as no triangle gives them: they wrap, clamp and round where scenes
+// cannot. The exact judge cannot check them; core alone defines their results.
 InterpZtestCase raw_stamps(const Contract& c, uint64_t seed, int index) {
   spec::Random random(seed ^ spec::text_hash("raw_planes." + std::to_string(index)));
   const spec::Design& d = c.design;
@@ -93,7 +93,7 @@ InterpZtestCase raw_stamps(const Contract& c, uint64_t seed, int index) {
 }
 
 void add_raw(uint64_t seed, File<InterpZtestCase>* file) {
-  // Without edges there are no weights, so perspective has no such stamps.
+  // These stamps have no edges, hence no weights for perspective.
   if (file->contract.design.perspective) return;
   const int count = file->level == 1 ? 8 : 64;
   for (int i = 0; i < count; ++i) file->cases.push_back(raw_stamps(file->contract, seed, i));

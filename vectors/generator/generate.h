@@ -1,4 +1,4 @@
-// Makes vector files: scenes, run through the model, borne out by the exact judge.
+// Makes vector files: runs scenes through the model and checks the results by exact arithmetic.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +9,7 @@
 
 namespace pineda::vectors {
 
-/// A case that exact arithmetic does not bear out: a bug of the model, or a bound too tight.
+/// A case that exact arithmetic contradicts: a bug of the model, or a bound too tight.
 class Misjudged : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

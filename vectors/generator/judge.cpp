@@ -17,7 +17,7 @@ using Text = std::optional<std::string>;
 constexpr int64_t kMaxSamples = 4096;
 constexpr int kRows = 32;
 
-// One triangle before its judge.
+// Judges one triangle.
 class Hearing {
  public:
   Hearing(const Contract& c, const spec::FrameState& frame, const spec::Triangle& triangle,
@@ -48,7 +48,7 @@ class Hearing {
     return std::nullopt;
   }
 
-  // Rows of the box: the ends of each covered span, the samples beside them, and its middle.
+  // Judges rows of the box: the ends of each covered span, the samples beside them, and its middle.
   Text setup() const {
     const exact::Span rows = judge_.rows();
     if (rows.first <= rows.last && (rows.first < prim_.y0 || rows.last > prim_.y1)) {
@@ -100,9 +100,9 @@ class Hearing {
     });
   }
 
-  // The planes of setup, before they are narrowed for a tile and without a bias.
+  // Judges setup's planes, before they are narrowed for a tile and without a bias.
   Text planes(int x, int y) const {
-    if (c_.design.perspective) return std::nullopt;  // stamps() judges what it makes of the edges
+    if (c_.design.perspective) return std::nullopt;  // stamps() judges the values
     const auto value = [&](const spec::Plane& p, int bits, int out_bits) {
       const spec::int128_t sum =
           p.ref + spec::int128_t{p.dx} * from_x(x) + spec::int128_t{p.dy} * from_y(y);
@@ -127,8 +127,8 @@ class Hearing {
     return beyond ? Text(judge::text_of(*beyond, errors, drawn)) : std::nullopt;
   }
 
-  // Every sample that traversal sends, and that it sends as many as there are, each once. Of the
-  // bias, tests/core say whether it is right.
+  // Judges every sample that traversal sends, and that each is sent once. The bias is left to
+  // tests/core.
   Text stamps() const {
     const judge::SnappedTruth truth(
         c_.design, frame_, triangle_,

@@ -1,4 +1,4 @@
-// Scenes before the exact judge: no vector is written that exact arithmetic does not bear out.
+// Judges scenes by exact arithmetic: no vector that it contradicts is written.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace pineda::vectors {
 
-/// Nothing, if each triangle is dropped for a true cause or is drawn with exactly its samples and
-/// with depth and attributes within the bounds; else what is wrong, in one line. A triangle of
-/// more than 4096 samples is judged on 32 of its rows, from its SetupPrim.
+/// Nothing if each triangle is dropped for a true cause, or drawn with exactly its samples and with
+/// depth and attributes within the bounds; else what is wrong, in one line. Of a triangle of more
+/// than 4096 samples only 32 rows are judged, from its SetupPrim.
 std::optional<std::string> misjudged(const spec::Contract& contract, const Scene& scene,
                                      const spec::ErrorBounds& bounds);
 

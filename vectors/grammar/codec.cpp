@@ -52,7 +52,7 @@ std::string FrameCodec::write(const spec::FrameState& frame) const {
   return row_.write(frame) + fmt::format("{} {}\n", kClearDepth, hex(code, d.depth_bits));
 }
 
-// A frame line: what a struct's widths allow, and values that mean something.
+// Reads a frame line: values must fit the struct's widths and have a meaning.
 spec::FrameState FrameCodec::read(Lines* lines) const {
   if (!lines->starts_with(row_.keyword())) lines->refuse("'frame'");
   const int number = lines->number();
@@ -134,7 +134,7 @@ void Codec<InterpZtestCase>::read(Lines* lines, InterpZtestCase* value) const {
   value->color = color_.read_all(lines);
 }
 
-// Not empty, and only samples of the frame: memory holds no others.
+// Is the stamp not empty, and inside the frame? Memory holds no other samples.
 bool Codec<InterpZtestCase>::covers_frame(const spec::Stamp& stamp,
                                           const spec::FrameState& frame) const {
   const int w_log2 = contract_.design.stamp_width_log2;
@@ -203,7 +203,7 @@ std::string Codec<FrameCase>::write_rows(const char* keyword, const std::vector<
   return text;
 }
 
-// Rows until the memory is full. Values of one sample stand in one word.
+// Reads rows until the memory is full. A word holds the values of one sample.
 template <class Value>
 void Codec<FrameCase>::read_rows(Lines* lines, const char* keyword, std::vector<Value>* memory,
                                  int width, int bits, int per_sample) const {

@@ -121,7 +121,7 @@ File<Case> read_text(const std::string& path, const std::string& text) {
   lines.next();
   while (!lines.at_end()) file.cases.push_back(read_case(&lines, frame, codec));
 
-  // Last, so that a malformed line is named as such.
+  // Checked last, so that a malformed line is reported as such.
   if (file.cases.size() != count) {
     lines.refuse_at(count_line, fmt::format("{} cases, as the file holds", file.cases.size()),
                     fmt::format("{}", count));

@@ -27,7 +27,7 @@ struct File {
   std::vector<Case> cases;
 };
 
-/// Reads only the header. Throws Refused. Which unit it is decides the Case that read() takes.
+/// Reads only the header, whose unit decides which Case read() takes. Throws Refused.
 Header read_header(const std::string& path);
 
 /// Reads a whole file of SetupCase, TraversalCase, InterpZtestCase or FrameCase.

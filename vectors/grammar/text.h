@@ -67,7 +67,7 @@ template <class T>
 class Row {
  public:
   explicit Row(const spec::Contract& c) : Row(c, spec::fields<T>(c)) {}
-  /// Of some of the struct's fields.
+  /// A row of some of the struct's fields.
   Row(const spec::Contract& c, std::vector<spec::Field<T>> table)
       : contract_(c), table_(std::move(table)) {}
 

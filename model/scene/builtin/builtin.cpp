@@ -14,13 +14,13 @@ using spec::Random;
 constexpr int kSpacingPx = 24;  // of the grid
 constexpr float kJitter = .2f;  // of the spacing
 
-constexpr double kLeastShare = .125;  // of a random triangle, of the square around it
+constexpr double kLeastShare = .125;  // least area of a random triangle, of the square around it
 
-/// A jittered grid with random depths of a range, behind the triangles that are there.
+/// Appends a jittered grid with random depths in a range.
 void add_grid(int width, int height, uint64_t seed, float nearest, float farthest,
               std::vector<ScreenTriangle>* triangles) {
   Random random(seed);
-  // One cell more than the frame on each side.
+  // At least one cell beyond the frame on each side.
   const int columns = (width + kSpacingPx - 1) / kSpacingPx + 3;
   const int rows = (height + kSpacingPx - 1) / kSpacingPx + 3;
   std::vector<ScreenVertex> vertex;
@@ -54,7 +54,7 @@ void add_grid(int width, int height, uint64_t seed, float nearest, float farthes
   }
 }
 
-// Three points of the unit square, an eighth of it between them at least.
+// Three random points of the unit square whose triangle has an area of at least kLeastShare.
 std::array<std::array<double, 2>, 3> random_corners(Random* random, double* area) {
   std::array<std::array<double, 2>, 3> corner{};
   do {
@@ -86,7 +86,7 @@ std::vector<ScreenTriangle> jittered_grid(int width, int height) {
 }
 
 std::vector<ScreenTriangle> layered_grids(int width, int height) {
-  constexpr std::array<int, 8> kPlaces = {5, 2, 7, 4, 6, 1, 3, 0};  // from the front
+  constexpr std::array<int, 8> kPlaces = {5, 2, 7, 4, 6, 1, 3, 0};  // slices; 0 is nearest
   std::vector<ScreenTriangle> triangles;
   for (const int place : kPlaces) {
     const float nearest = (static_cast<float>(place) + .1f) / 8;
@@ -103,7 +103,7 @@ std::vector<ScreenTriangle> random_triangles(const RandomScene& scene, int width
     t.id = static_cast<uint32_t>(&t - triangles.data());
     double area = 0;
     const auto corners = random_corners(&random, &area);
-    const double side = std::sqrt(scene.area_px / area);  // 0: the frame in place of a square
+    const double side = std::sqrt(scene.area_px / area);  // 0: scale to the frame instead
     const double box_width = side > 0 ? side : width;
     const double box_height = side > 0 ? side : height;
     const double left = side > 0 ? double{random.uniform(0, 1)} * width - side / 2 : 0;

@@ -5,12 +5,13 @@
 namespace pineda::scene {
 namespace {
 
-// Martin Newell's teapot (1975). The numbers are his, z up; what is round is written as its profile
-// (radius, height), what is mirrored as one half.
+// Martin Newell's teapot (1975), with his coordinates, z up. Surfaces of revolution are stored as a
+// profile (radius, height), mirrored ones as one half.
 using Profile = std::array<std::array<double, 2>, 4>;
 using Patch = std::array<std::array<Vec3, 4>, 4>;  // [v][u]
 
-// From the middle of the lid outwards, and from the rim down to the middle of the bottom.
+// Two profiles of the lid, from its middle outwards; four from the rim down to the middle of the
+// bottom.
 constexpr std::array<Profile, 6> kProfiles = {{
     {{{0, 3.15}, {.8, 3.15}, {0, 2.85}, {.2, 2.7}}},
     {{{.2, 2.7}, {.4, 2.55}, {1.3, 2.55}, {1.3, 2.4}}},
@@ -20,11 +21,12 @@ constexpr std::array<Profile, 6> kProfiles = {{
     {{{1.5, .15}, {1.5, .075}, {1.425, 0}, {0, 0}}},
 }};
 
-// A quarter circle as a cubic: Newell took .56 (and .5625 in one row, at the knob).
+// The control points that make a cubic a quarter circle: Newell used .56 (and .5625 in one row, at
+// the knob).
 constexpr double kQuarter = .56;
 
-// A cross-section of one half of a tube: a cubic from (x, 0, z) of the first corner by way of
-// y = width to (x, 0, z) of the second.
+// Half of a tube's cross-section: a cubic from `first` to `second` in the plane y = 0, whose inner
+// control points have y = width.
 struct Section {
   double width;
   std::array<double, 2> first, second;  // x, z
@@ -49,7 +51,8 @@ constexpr Tube kSpout = {{{.66, {1.7, 1.425}, {1.7, .6}},
 
 Vec3 y_up(double x, double y, double z) { return {x, z, -y}; }
 
-// A quarter of what is round, turned by quarter turns: exact, so that neighbours share their edge.
+// A quarter of a surface of revolution, rotated by quarter turns. These are exact, so that adjacent
+// patches share their edge bit for bit.
 Patch round_patch(const Profile& profile, int quarter_turns) {
   Patch patch;
   for (size_t v = 0; v < 4; ++v) {
@@ -69,7 +72,8 @@ Patch round_patch(const Profile& profile, int quarter_turns) {
   return patch;
 }
 
-// One half of half a tube, on the side of +y or -y; `first` is the section it starts with.
+// One of a tube's four patches: the side y > 0 or y < 0, and the half that starts at section
+// `first`.
 Patch tube_patch(const Tube& tube, size_t first, double side) {
   Patch patch;
   for (size_t v = 0; v < 4; ++v) {
@@ -84,8 +88,8 @@ Patch tube_patch(const Tube& tube, size_t first, double side) {
 
 using Weights = std::array<double, 4>;
 
-// The ends give exactly (1, 0, 0, 0) and (0, 0, 0, 1): the edge of a patch depends on its edge's
-// control points alone.
+// Exactly (1, 0, 0, 0) at t = 0 and (0, 0, 0, 1) at t = 1, so the edge of a patch depends only on
+// the control points of that edge.
 Weights bernstein(double t) {
   const double s = 1 - t;
   return {s * s * s, 3 * t * s * s, 3 * t * t * s, t * t * t};
@@ -105,7 +109,8 @@ Vec3 evaluate(const Patch& patch, const Weights& v, const Weights& u) {
   return sum;
 }
 
-// A pole is one point in all its patches; the rounding of the weights must not make it several.
+// At a pole, where an edge of the patch is one point, returns that control point: evaluating would
+// give several points that differ by rounding.
 Vec3 position_at(const Patch& patch, double v, double u) {
   if (v == 0 && patch[0][0] == patch[0][3]) return patch[0][0];
   if (v == 1 && patch[3][0] == patch[3][3]) return patch[3][0];
@@ -113,7 +118,8 @@ Vec3 position_at(const Patch& patch, double v, double u) {
 }
 
 Vec3 normal_at(const Patch& patch, double v, double u) {
-  // At a pole du vanishes; a step away the normal is the pole's as far as a colour can tell.
+  // At a pole the derivative along u is 0. The normal a small step away is close enough for
+  // shading.
   constexpr double kStep = 1e-5;
   for (const double at : {v, v < .5 ? v + kStep : v - kStep}) {
     const Vec3 n = cross(evaluate(patch, bernstein_slope(at), bernstein(u)),
@@ -123,7 +129,7 @@ Vec3 normal_at(const Patch& patch, double v, double u) {
   return {};
 }
 
-// `side` = -1 turns a patch inside out, for a mirrored one.
+// `side` = -1 reverses the orientation, for a mirrored patch.
 void append(const Patch& patch, int n, double side, Mesh* mesh) {
   const auto base = static_cast<uint32_t>(mesh->position.size());
   const auto row = static_cast<uint32_t>(n + 1);
@@ -136,7 +142,7 @@ void append(const Patch& patch, int n, double side, Mesh* mesh) {
   }
   const auto add = [&](uint32_t a, uint32_t b, uint32_t c) {
     const auto& p = mesh->position;
-    if (p[a] == p[b] || p[b] == p[c] || p[c] == p[a]) return;  // at a pole
+    if (p[a] == p[b] || p[b] == p[c] || p[c] == p[a]) return;  // no area: at a pole
     if (side < 0) std::swap(b, c);
     mesh->triangle.push_back({a, b, c});
   };

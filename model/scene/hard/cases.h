@@ -1,5 +1,5 @@
-// The hard cases of rasterization as small scenes with a name and a right answer each. Opened as
-// `hard/NAME`; tests/hard holds core and RTL to the answers.
+// The hard cases of rasterization: small scenes, each with a name and a known right answer. They
+// are opened as `hard/NAME`; tests/hard checks core and RTL against the answers.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace pineda::scene {
 
-/// One case: what is drawn, and what must come of it.
+/// One case: what is drawn, and what the result must be.
 struct HardCase {
   const char* name;
   const char* summary;
   const char* right_answer;
   spec::FrameState frame;
-  /// The same triangles on every call; id = place in the list, but pieces of one that clipping cut
-  /// share theirs.
+  /// Gives the same triangles on every call. id = index in the list, except that the pieces of a
+  /// clipped triangle share one.
   std::vector<ScreenTriangle> (*make)();
 };
 

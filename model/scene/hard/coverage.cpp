@@ -23,9 +23,8 @@ namespace {
 std::vector<ScreenTriangle> shared_edges() { return grid(1, 1733, 1); }
 std::vector<ScreenTriangle> half_pixel_lattice() { return grid(2, 11 * kHalfPx, kHalfPx); }
 
-// In each cell a T-junction whose edge has its middle, half a subpixel to the left of where it
-// snaps to, on a sample. That sample lies inside the sliver a, middle, b. Where the halves lie on
-// the right they take it too, where they lie on the left nobody does.
+// In each cell a T-junction whose midpoint lies half a subpixel right of a sample and snaps onto
+// it. If the two halves lie right of the edge the sample is hit twice, otherwise not at all.
 std::vector<ScreenTriangle> t_junction() {
   Drawing d(3);
   for (int i = 0; i < 32; ++i) {
@@ -46,8 +45,8 @@ std::vector<ScreenTriangle> t_junction() {
   return d.triangles();
 }
 
-// In each cell a ring of four or eight triangles around a sample. In every other one the middle
-// lies a subpixel off the sample at the most.
+// In each cell a fan of four or eight triangles around a sample. In every other cell the middle of
+// the fan is moved off the sample by up to one subpixel.
 std::vector<ScreenTriangle> fan() {
   static constexpr std::array<Point, 8> kDirections{
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
@@ -64,8 +63,8 @@ std::vector<ScreenTriangle> fan() {
   return d.triangles();
 }
 
-// Doubled areas of one to four units of 2^-16 px^2, through a sample. At one unit a corner is all
-// that can be covered, so it often lies on the sample.
+// Slivers with doubled areas of one to four units of 2^-16 px^2, through a sample. With an area of
+// one unit only a corner can be covered, so corners often lie on the sample.
 std::vector<ScreenTriangle> sliver() {
   Drawing d(5);
   for (int i = 0; i < 96; ++i) {
@@ -79,8 +78,8 @@ std::vector<ScreenTriangle> sliver() {
   return d.triangles();
 }
 
-// Nothing to draw, between triangles that are drawn: points, doubled points, lines in any
-// direction, a line through samples, and a triangle that snapping makes a line.
+// Triangles without area, between others: points, double points, lines in any direction, a line
+// through samples, and a triangle that becomes a line when it is snapped.
 std::vector<ScreenTriangle> zero_area() {
   Drawing d(6);
   const auto anywhere = [&] { return d.in_box({0, 0}, {32 * kPx, 24 * kPx}); };
@@ -103,8 +102,8 @@ std::vector<ScreenTriangle> zero_area() {
   return d.triangles();
 }
 
-// In each cell a rectangle from one sample to another, cut along a diagonal; a third are squares,
-// whose diagonals run through samples too.
+// In each cell a rectangle from one sample to another, cut along a diagonal. A third of them are
+// squares, whose diagonals pass through samples too.
 std::vector<ScreenTriangle> edges_through_centers() {
   Drawing d(7);
   for (int i = 0; i < 24; ++i) {
@@ -119,8 +118,8 @@ std::vector<ScreenTriangle> edges_through_centers() {
   return d.triangles();
 }
 
-// In each cell a triangle whose box reaches from sample to sample; in every fourth the box is
-// smaller than a pixel, so that it holds but the sample in its lower right corner.
+// In each cell a triangle whose box reaches from one sample to another. In every fourth cell the
+// box is smaller than a pixel and contains only the sample at its lower right corner.
 std::vector<ScreenTriangle> box_on_centers() {
   Drawing d(8);
   for (int i = 0; i < 48; ++i) {
@@ -138,7 +137,7 @@ std::vector<ScreenTriangle> box_on_centers() {
   return d.triangles();
 }
 
-// 400 equilateral triangles each of .01, .2, .5, 1 and 16 px^2, turned and placed anywhere.
+// 400 equilateral triangles each of .01, .2, .5, 1 and 16 px^2, with random rotation and position.
 std::vector<ScreenTriangle> micro_triangles() {
   Drawing d(9);
   for (const double area_px2 : {.01, .2, .5, 1., 16.}) {

@@ -1,5 +1,5 @@
-// What the hard cases draw with. Positions are in units of 1/256 px, which a float holds exactly
-// everywhere in the guard band: at 8 subpixel bits nothing moves when it is snapped.
+// Helpers for drawing the hard cases. Positions are in units of 1/256 px, which a float holds
+// exactly everywhere in the guard band: with 8 subpixel bits snapping does not move them.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using figures::Point;
 inline constexpr figures::Lattice kLattice(spec::kHighTile);
 inline constexpr int64_t kPx = kLattice.px();
 inline constexpr int64_t kHalfPx = kLattice.half();
-inline constexpr int kCellPx = 16;  // cases of many small figures give each a cell of its own
+inline constexpr int kCellPx = 16;  // size of a cell, for cases with one small figure in each cell
 
 /// A scene being drawn.
 class Drawing : public figures::Pen {
@@ -51,7 +51,7 @@ class Drawing : public figures::Pen {
     triangles_.push_back({static_cast<uint32_t>(triangles_.size()), v});
   }
   void add(const Corners& p) { add({vertex(p[0]), vertex(p[1]), vertex(p[2])}); }
-  /// Adds it from any vertex on, either way round.
+  /// Adds the triangle with a random first vertex and random winding.
   void add_shuffled(std::array<ScreenVertex, 3> v) {
     if (coin()) std::swap(v[1], v[2]);
     std::rotate(v.begin(), v.begin() + random().between(0, 2), v.end());
@@ -82,19 +82,19 @@ inline constexpr spec::FrameState frame(int width, int height,
   return {width, height, spec::Cull::kNone, depth};
 }
 
-/// A grid of quads that reaches over a frame of kGridFrame's size, its corners moved by a fifth of
-/// the spacing and put on multiples of `lattice`; in any winding and vertex order.
+/// A grid of quads, larger than kGridFrame. Its corners are moved by up to a fifth of the spacing
+/// and rounded to multiples of `lattice`; triangles have random winding and vertex order.
 inline constexpr spec::FrameState kGridFrame = frame(64, 48);
 std::vector<ScreenTriangle> grid(uint64_t seed, int64_t spacing, int64_t lattice);
 
-/// The parts of the catalogue.
+/// The cases of each file; hard_cases() joins them.
 std::vector<HardCase> coverage_cases();
 std::vector<HardCase> limit_cases();
 std::vector<HardCase> value_cases();
 std::vector<HardCase> perspective_cases();
 std::vector<HardCase> state_cases();
 
-/// A mesh as a camera sees it, clipped.
+/// The screen triangles of a mesh as a camera sees it, after clipping.
 inline std::vector<ScreenTriangle> seen_mesh(Mesh mesh, const Camera& camera,
                                              const spec::FrameState& frame) {
   const View view = camera_view(camera, mesh, frame.width, frame.height);

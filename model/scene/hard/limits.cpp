@@ -1,4 +1,4 @@
-// Hard cases at the limits: of the guard band, the frame, the tiles and the numbers.
+// Hard cases at limits: of the guard band, the frame, tiles and number formats.
 #include <algorithm>
 #include <limits>
 
@@ -9,8 +9,8 @@ namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-// Corners of the guard band three by three, both ways round; then triangles with an edge through
-// the frame whose ends lie thousands of pixels away.
+// Triangles of three corners of the guard band, in both windings; then triangles with an edge
+// through the frame whose ends lie thousands of pixels away.
 std::vector<ScreenTriangle> huge() {
   Drawing d(11);
   for (size_t i = 0; i < 4; ++i) {
@@ -26,7 +26,7 @@ std::vector<ScreenTriangle> huge() {
   return d.triangles();
 }
 
-// A fan from the middle of the frame to the borders of the guard band, all the way round.
+// A closed fan from the middle of the frame to the borders of the guard band.
 std::vector<ScreenTriangle> guard_band_fan() {
   Drawing d(19);
   const auto ring = figures::guard_band_ring(d, 16, 500 * kPx);
@@ -52,7 +52,7 @@ std::vector<ScreenTriangle> far_mesh() {
   return d.triangles();
 }
 
-// One component outside the guard band: from the first multiple of 1/256 px to infinity.
+// One coordinate outside the guard band: from just beyond it to infinity.
 std::vector<ScreenTriangle> beyond_guard_band() {
   Drawing d(12);
   for (const float beyond :
@@ -71,7 +71,7 @@ std::vector<ScreenTriangle> beyond_guard_band() {
   return d.triangles();
 }
 
-// Triangles over every corner and side of a frame, and some about its middle.
+// Triangles across every corner and side of the frame, and around its middle.
 std::vector<ScreenTriangle> over_borders(uint64_t seed, int width, int height, int reach_px) {
   Drawing d(seed);
   const Point middle{width * kHalfPx, height * kHalfPx};
@@ -85,8 +85,8 @@ std::vector<ScreenTriangle> odd_frame_641x479() { return over_borders(13, 641, 4
 std::vector<ScreenTriangle> odd_frame_13x7() { return over_borders(14, 13, 7, 12); }
 std::vector<ScreenTriangle> odd_frame_1x1() { return over_borders(15, 1, 1, 2); }
 
-// Vertices on the corners of 8x8 tiles, a subpixel or half a pixel off them; then edges along the
-// borders of tiles.
+// Vertices on the corners of 8x8 tiles, or off them by a subpixel or half a pixel; then edges along
+// tile borders.
 std::vector<ScreenTriangle> tile_corners() {
   Drawing d(16);
   const auto corner = [&] {
@@ -106,8 +106,9 @@ std::vector<ScreenTriangle> tile_corners() {
   return d.triangles();
 }
 
-// Coordinates that are the format's extremes or next to zero, in all combinations of signs; depth
-// and colours 0 or greatest. Then, in cells, all combinations of extreme values on small triangles.
+// Coordinates at the extremes of the format or next to zero, in all combinations of signs, with
+// minimal or maximal depth and colour. Then, in cells, small triangles with all combinations of
+// extreme depths and colours.
 std::vector<ScreenTriangle> format_extremes() {
   Drawing d(17);
   const auto extreme = [](ScreenVertex v, bool far, bool bright) {
@@ -130,7 +131,7 @@ std::vector<ScreenTriangle> format_extremes() {
     std::array<ScreenVertex, 3> v;
     for (int k = 0; k < 3; ++k) {
       const Point p = origin + d.in_box({0, 0}, {kCellPx * kPx, kCellPx * kPx});
-      // The colours run with the depth in the first eight, against it in the others.
+      // In the first eight triangles far vertices are bright, in the others near ones.
       const bool high = (i >> k & 1) != 0;
       v[static_cast<size_t>(k)] = extreme(d.vertex(p), high, high == (i < 8));
     }
@@ -139,8 +140,8 @@ std::vector<ScreenTriangle> format_extremes() {
   return d.triangles();
 }
 
-// NaN in each component in turn, then both infinities, then the least denormals; an ordinary
-// triangle comes last.
+// NaN in each component of each vertex in turn, then both infinities, then denormals; an ordinary
+// triangle at the end.
 std::vector<ScreenTriangle> not_numbers() {
   Drawing d(18);
   const auto add = [&](size_t corner, size_t component, float value) {
@@ -153,7 +154,7 @@ std::vector<ScreenTriangle> not_numbers() {
   constexpr float kDenormal = std::numeric_limits<float>::denorm_min();
   for (const float value : {std::numeric_limits<float>::quiet_NaN(), kInf, -kInf, kDenormal,
                             -kDenormal, std::numeric_limits<float>::min() - kDenormal}) {
-    // A W that is no number drops the triangle; no reader lets an infinite or a denormal one in.
+    // w is only set to NaN, which drops the triangle: readers reject an infinite or denormal w.
     const size_t components = value != value ? 4 : 3;
     for (size_t i = 0; i < 3 * components; ++i) add(i / components, i % components, value);
   }

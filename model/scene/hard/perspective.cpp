@@ -1,4 +1,4 @@
-// Hard cases of perspective: attributes where the w's of a triangle lie far apart.
+// Hard cases of perspective: attributes of triangles whose vertices' w differ greatly.
 #include "model/scene/hard/draw.h"
 
 namespace pineda::scene::hard {
@@ -6,7 +6,8 @@ namespace {
 
 constexpr spec::FrameState kFrame = frame(64, 48);
 
-// As large as the frame, a needle, around the whole frame, a few pixels, a sliver through a sample.
+// A triangle of the frame's size, a needle, one around the whole frame, one of a few pixels, or a
+// sliver through a sample.
 Corners shape(Drawing& d, int kind) {
   const Point sample = d.center_in_box({8, 8}, {55, 39});
   switch (kind) {
@@ -31,9 +32,9 @@ Corners shape(Drawing& d, int kind) {
   }
 }
 
-// W from some w to `kRatio` times as much within each triangle, at any scale. The third lies near
-// the least, where the two share the triangle, near the greatest, or anywhere. Every fourth
-// triangle runs through the whole range of each colour.
+// Triangles whose greatest w is `kRatio` times the least one, at any scale; the third w is close to
+// the least, random, or close to the greatest. Every fourth triangle spans the whole range of each
+// colour.
 template <int kRatio>
 std::vector<ScreenTriangle> ratio() {
   Drawing d(30 + kRatio);
@@ -58,8 +59,8 @@ std::vector<ScreenTriangle> ratio() {
   return d.triangles();
 }
 
-// Triangles with one vertex just before the near plane, beside the frame, and two far away: its w
-// is 10 to 1000 times smaller than theirs. Nothing is cut.
+// Triangles with one vertex just beyond the near plane, beside the frame, and two far away, whose w
+// is 10 to 1000 times greater. Nothing is clipped.
 Mesh before_near_plane() {
   spec::Random random(40);
   Mesh mesh;

@@ -8,7 +8,7 @@ namespace {
 using spec::DepthFunc;
 using spec::FrameState;
 
-// Its borders cut tiles and stamps.
+// A scissor whose borders cut tiles and stamps.
 constexpr FrameState scissored() {
   FrameState f = kGridFrame;
   f.scissor_x0 = 13;
@@ -20,7 +20,7 @@ constexpr FrameState scissored() {
 
 std::vector<ScreenTriangle> under_scissor() { return grid(50, 1733, 1); }
 
-// Few depths, so that many are equal; the far end, to which the frame is cleared, among them.
+// Only four depths, so that many are equal; one is the far end, which is the clear depth.
 std::vector<ScreenTriangle> few_depths() {
   Drawing d(51);
   for (int i = 0; i < 60; ++i) {
@@ -38,7 +38,7 @@ constexpr FrameState few_depths_frame(DepthFunc func, bool depth_write) {
   return f;
 }
 
-// The same with depths from the near end to the far one, both among them.
+// The same with five depths, which include both ends of the range.
 std::vector<ScreenTriangle> few_depths_from_0() {
   Drawing d(54);
   for (int i = 0; i < 60; ++i) {
@@ -67,8 +67,8 @@ constexpr FrameState reversed(FrameState f) {
   return f;
 }
 
-// From level to steep: the slope counts from nothing to all codes within some pixels. The depths of
-// every third triangle lie near one end, where the bias carries them over it.
+// Triangles from level to so steep that depth runs through all codes within some pixels. The depths
+// of every third triangle are near an end of the range, and the bias carries them beyond it.
 std::vector<ScreenTriangle> slopes() {
   Drawing d(52);
   for (int i = 0; i < 36; ++i) {

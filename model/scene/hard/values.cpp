@@ -10,7 +10,7 @@ using spec::DepthFunc;
 
 constexpr spec::FrameState kNearPlaneFrame = frame(96, 64);
 
-// 100 to 8000 px long, 1/16 to 2 px wide, through the frame.
+// Needles 100 to 8000 px long and 1/16 to 2 px wide, through the frame.
 std::vector<ScreenTriangle> needles() {
   Drawing d(21);
   for (int i = 0; i < 32; ++i) {
@@ -25,8 +25,9 @@ std::vector<ScreenTriangle> needles() {
   return d.triangles();
 }
 
-// z = n/256 becomes n*(2^24 - 1) units of 2^-8 codes exactly: corners on whole pixels give a plane
-// in whole units. The first triangle holds the others.
+// Triangles in one plane. z = n/256 snaps exactly to n*(2^24 - 1) units of 2^-8 codes, and with
+// corners on whole pixels the plane's coefficients are whole units too. The first triangle contains
+// the others.
 std::vector<ScreenTriangle> coplanar() {
   Drawing d(22);
   constexpr figures::WholePlane kPlane{16, 1, 2};
@@ -48,7 +49,7 @@ std::vector<ScreenTriangle> coplanar() {
   return d.triangles();
 }
 
-// In each cell one triangle three times, from another vertex on and in another colour.
+// In each cell one triangle three times, each with another first vertex and another colour.
 std::vector<ScreenTriangle> equal_depth() {
   Drawing d(23);
   for (int i = 0; i < 12; ++i) {
@@ -66,8 +67,9 @@ std::vector<ScreenTriangle> equal_depth() {
   return d.triangles();
 }
 
-// Sixteen rounds: a far triangle that keeps traversal busy while those behind it pass setup, then
-// eight within one stamp, which so follow each other cycle by cycle. Few depths, so many are equal.
+// Sixteen rounds of a large far triangle, which keeps traversal busy while setup works ahead, and
+// then eight small triangles inside one stamp, whose stamps thus come in consecutive cycles. There
+// are few depths, so that many are equal.
 std::vector<ScreenTriangle> back_to_back() {
   Drawing d(24);
   for (int i = 0; i < 16; ++i) {
@@ -85,7 +87,7 @@ std::vector<ScreenTriangle> back_to_back() {
   return d.triangles();
 }
 
-// One triangle a pixel, of a constant depth m/2^24 in [1/2, 1]; m = 2^23 and 2^24 are among them.
+// One triangle per pixel, each of a constant depth m/2^24 in [1/2, 1], including both ends.
 std::vector<ScreenTriangle> depth_near_one() {
   Drawing d(25);
   for (int i = 0; i < 512; ++i) {
@@ -96,7 +98,7 @@ std::vector<ScreenTriangle> depth_near_one() {
   return d.triangles();
 }
 
-// W from 1 to 4, 64, 1000 and 10^6 within each triangle.
+// Triangles with w from 1 to 4, 64, 1000 and 10^6.
 std::vector<ScreenTriangle> perspective() {
   Drawing d(26);
   for (const float ratio : {4.f, 64.f, 1e3f, 1e6f}) {
@@ -111,8 +113,8 @@ std::vector<ScreenTriangle> perspective() {
   return d.triangles();
 }
 
-// A plain under the eye in strips along the view: the long edges, two triangles each, run from far
-// behind the eye to before it, and on to the horizon.
+// A ground plane below the eye, in strips along the viewing direction. Each strip is two quads: one
+// from behind the eye to just in front of it, one from there to the horizon.
 Mesh plain() {
   constexpr uint32_t kColumns = 65;
   spec::Random random(27);

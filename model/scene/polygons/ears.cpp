@@ -10,14 +10,14 @@ namespace {
 
 using Triangles = std::vector<std::array<uint32_t, 3>>;
 
-// Which ears are taken; each one takes those before it too.
+// Which ears may be cut; each value includes those before it.
 enum class Care {
-  kClear,     // turning left, touched by no other corner; and spikes and repeated corners
-  kTouching,  // other corners may touch it from outside
-  kStraight   // and corners in the middle of a straight run, of triangles without area
+  kClear,     // left turns that no other corner touches; spikes and repeated corners
+  kTouching,  // left turns that other corners touch from outside
+  kStraight   // corners in the middle of a straight run, whose triangles have no area
 };
 
-// A corner that may lie in the way of an ear: it does not turn left.
+// A corner that may be in the way of an ear: only corners that do not turn left need testing.
 struct Blocker {
   uint32_t corner, u, v;
 };
@@ -29,7 +29,8 @@ struct Box {
   }
 };
 
-// The blockers, kept in cells of equally many ranks each: an ear looks at those around it alone.
+// The blockers in a grid of cells that each span equally many ranks, so that testing an ear only
+// looks at blockers near it.
 class Blockers {
  public:
   explicit Blockers(const PlanarPolygon& polygon) : polygon_(polygon) {
@@ -41,7 +42,7 @@ class Blockers {
     }
     const uint32_t cells = n / kCornersInACell + 1;
     const auto side = static_cast<uint32_t>(std::sqrt(cells));
-    // Where one coordinate has few ranks (the teeth of a comb) the other one has the more cells.
+    // If one coordinate has few ranks (as for a comb), the other one gets more cells.
     const uint32_t columns = std::min(u_ranks, cells / std::min(v_ranks, side));
     const uint32_t rows = std::min(v_ranks, cells / columns);
     u_width_ = u_ranks / columns + 1;
@@ -55,7 +56,8 @@ class Blockers {
     cell_[blocker.v / v_width_ * columns_ + blocker.u / u_width_].push_back(blocker);
   }
 
-  // Does `is_hit` hold for one in the box? Those for which `is_none` holds are forgotten.
+  // Does `is_hit` hold for any blocker in the box? Removes those for which `is_none` holds: they
+  // are no blockers any more.
   template <class IsNone, class IsHit>
   bool any_in(const Box& box, IsNone&& is_none, IsHit&& is_hit) {
     for (size_t row = box.low_v / v_width_; row <= box.high_v / v_width_; ++row) {
@@ -79,7 +81,7 @@ class Blockers {
     return false;
   }
 
-  // How many cells and blockers were looked at.
+  // Number of cells and blockers visited so far.
   uint64_t steps() const { return steps_; }
 
  private:
@@ -88,7 +90,7 @@ class Blockers {
   const PlanarPolygon& polygon_;
   uint32_t u_width_ = 1, v_width_ = 1;  // ranks
   size_t columns_ = 1;
-  std::vector<std::vector<Blocker>> cell_;  // row by row; among them some that are none any more
+  std::vector<std::vector<Blocker>> cell_;  // row by row; may contain corners no longer blocking
   uint64_t steps_ = 0;
 };
 
@@ -113,7 +115,7 @@ class Cutter {
     left_ = n;
   }
 
-  // As many as can be cut in so many steps; the corners that are left, in order.
+  // Cuts ears until none is found or the steps are used up. Returns the corners left, in order.
   std::vector<uint32_t> run(uint64_t most_steps, Triangles* triangles) {
     bool has_cut = false;
     wait_for_all();
@@ -162,7 +164,7 @@ class Cutter {
     return care_ == Care::kStraight || !is_between(tip);
   }
 
-  // Does a corner without a turn lie between its neighbours?
+  // Does a corner on a straight line lie between its neighbours (no spike, no repeated corner)?
   bool is_between(uint32_t tip) const {
     const uint32_t a = polygon_.place(previous_[tip]), b = polygon_.place(tip),
                    c = polygon_.place(next_[tip]);
@@ -183,12 +185,12 @@ class Cutter {
   bool is_in_the_way(uint32_t i, const std::array<uint32_t, 3>& ear) const {
     if (i == ear[0] || i == ear[1] || i == ear[2]) return false;
     std::array<int, 3> side;
-    for (const size_t k : {2, 0, 1}) {  // most lie beyond the side that is cut
+    for (const size_t k : {2, 0, 1}) {  // side 2, the cut, first: most corners lie beyond it
       side[k] = polygon_.turn(ear[k], ear[(k + 1) % 3], i);
       if (side[k] < 0) return false;
     }
     if (care_ == Care::kClear) return true;
-    // On the ear's border it is, if one of its edges leads inside.
+    // On the border of the ear a corner is in the way only if one of its edges leads inside.
     for (const uint32_t other : {previous_[i], next_[i]}) {
       bool leads_inside = true;
       for (size_t k = 0; k < 3; ++k) {
@@ -209,7 +211,7 @@ class Cutter {
     next_[tip] = tip;
     --left_;
     for (const uint32_t i : {a, c}) {
-      // A cut may turn a spike's corner to the right again.
+      // Cutting a spike can change a left turn of its neighbours into a right turn.
       const int turn = turn_at(i);
       if (turn_[i] > 0 && turn <= 0) blockers_.add(i);
       turn_[i] = turn;
@@ -219,7 +221,7 @@ class Cutter {
 
   const PlanarPolygon& polygon_;
   Blockers blockers_;
-  std::vector<uint32_t> next_, previous_;  // of the corners left; a corner that is cut: itself
+  std::vector<uint32_t> next_, previous_;  // among the corners left; next_[i] == i: corner i is cut
   std::vector<int> turn_;
   std::vector<bool> is_waiting_;
   std::deque<uint32_t> waiting_;
@@ -227,8 +229,9 @@ class Cutter {
   Care care_ = Care::kClear;
 };
 
-// Every way to cut a polygon: from the shortest runs of corners on, a run is closed by its chord if
-// a triangle on it leaves two closed runs.
+// Searches all triangulations by dynamic programming. A run of corners i .. j can be triangulated
+// ("closed" by the chord i-j) if some corner k between them makes a triangle i, k, j that does not
+// turn right, and i .. k and k .. j can be triangulated. Shorter runs are done first.
 class EveryWay {
  public:
   EveryWay(const PlanarPolygon& polygon, const std::vector<uint32_t>& corner)
@@ -272,7 +275,7 @@ class EveryWay {
   std::vector<uint32_t> apex_;
 };
 
-constexpr size_t kMostForEveryWay = 256;  // it takes n^3 / 6 steps
+constexpr size_t kMostForEveryWay = 256;  // corners; the search takes n^3 / 6 steps
 
 bool cut_every_way(const PlanarPolygon& polygon, const std::vector<uint32_t>& corner,
                    Triangles* triangles) {
@@ -284,8 +287,8 @@ bool cut_every_way(const PlanarPolygon& polygon, const std::vector<uint32_t>& co
 EarCut cut_ears(const PlanarPolygon& polygon, Triangles* triangles, uint64_t most_steps) {
   const size_t before = triangles->size();
   const auto left = Cutter(polygon).run(most_steps, triangles);
-  // Usually a triangle is left. Where ears were cut that led to no end, the rest, or all of a
-  // polygon that is small enough, is searched.
+  // Usually only a triangle is left. Otherwise search all ways to cut the rest, and then, since the
+  // ears cut so far may have been the wrong ones, all ways to cut the whole polygon.
   if (cut_every_way(polygon, left, triangles)) return EarCut::kDone;
   triangles->resize(before);
   if (polygon.size() > kMostForEveryWay) return EarCut::kUnknown;

@@ -1,4 +1,4 @@
-// The triangles of a polygon that is not convex.
+// Triangulation of a polygon that is not convex, by cutting ears.
 #pragma once
 
 #include <array>
@@ -10,20 +10,20 @@ namespace pineda::scene {
 
 enum class EarCut {
   kDone,
-  kImpossible,  // it crosses itself at a corner
-  kUnknown      // not found among the ways that are tried
+  kImpossible,  // there is no triangulation: the polygon crosses itself at a corner
+  kUnknown      // none was found, but not all ways were tried
 };
 
 constexpr uint64_t kMostEarSteps = uint64_t{1} << 31;  // some 20 seconds
 
-/// Cuts ears: corners whose triangle with both neighbours lies inside.
+/// Cuts ears: corners whose triangle with both neighbours lies inside the polygon.
 ///
 /// In       a polygon that winds_once().
-/// Out      n - 2 triangles for n corners are added, none of which turns right in the plane. Their
-///          windings sum up to the polygon's, so they cover the inside once and nothing else.
-///          Nothing is added otherwise. Of up to 256 corners every way is tried; of more, some that
-///          touch each other may be missed, and no more is tried after so many steps.
-/// Rate     O(n^2) for n corners; a step looks at a corner.
+/// Out      kDone: n - 2 triangles are added for n corners, none of which turns right in the plane.
+///          Their windings add up to the polygon's, so they cover the inside once and nothing else.
+///          Otherwise nothing is added. Up to 256 corners all ways are tried. For more, polygons
+///          that touch themselves may not be solved, and ear cutting stops after `most_steps`.
+/// Rate     O(n^2) steps for n corners; a step visits one cell or one corner.
 /// Source   G. Meisters, "Polygons have ears", 1975.
 EarCut cut_ears(const PlanarPolygon& polygon, std::vector<std::array<uint32_t, 3>>* triangles,
                 uint64_t most_steps = kMostEarSteps);

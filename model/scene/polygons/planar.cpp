@@ -13,8 +13,9 @@ using boost::multiprecision::abs;
 using boost::multiprecision::gcd;
 using boost::multiprecision::msb;
 
-// A coordinate of relative error e = 2^-52 and magnitude of at most 1: a difference is off by 3e
-// and at most 2, a product of two by 14e, the difference of two products by 32e.
+// Error bounds for coordinates with relative error e = 2^-52 and magnitude at most 1: a difference
+// is at most 2 and off by 3e, a product of two differences by 14e, the difference of two products
+// by 32e.
 constexpr double kTurnError = 40 * std::numeric_limits<double>::epsilon();
 constexpr double kOrderError = 4 * std::numeric_limits<double>::epsilon();
 
@@ -104,7 +105,7 @@ void PlanarPolygon::project(const std::vector<Vec3>& corner) {
     if (b.mantissa != 0) value <<= b.exponent - least;
     return value;
   };
-  std::vector<std::array<Int, 3>> q(corner.size());  // from the first corner
+  std::vector<std::array<Int, 3>> q(corner.size());  // relative to the first corner
   for (size_t i = corner.size(); i-- > 0;) {
     for (size_t k = 0; k < 3; ++k) q[i][k] = whole(corner[i][k]) - whole(corner[0][k]);
   }
@@ -128,8 +129,8 @@ void PlanarPolygon::project(const std::vector<Vec3>& corner) {
     if (abs(n[k]) > abs(n[z])) z = k;
   }
   const size_t x = (z + 1) % 3, y = (z + 2) % 3;
-  // The rows (nz, 0, -nx) and (0, nz, -ny), of which n is the kernel, have the cross product nz n;
-  // one of them is turned where nz is negative.
+  // u and v are dot products with (nz, 0, -nx) and (0, nz, -ny). Both are perpendicular to n, and
+  // their cross product is nz * n; so where nz is negative one of them is negated.
   const bool is_turned = n[z] < 0;
   u_.reserve(q.size());
   v_.reserve(q.size());
@@ -152,7 +153,7 @@ void PlanarPolygon::rank_places() {
 }
 
 int PlanarPolygon::turn(uint32_t a, uint32_t b, uint32_t c) const {
-  // The signs of the two products, from the ranks, decide wherever they differ.
+  // The ranks give the signs of the two products; if these differ they decide.
   const int first = sign_of(u_rank_[a], u_rank_[b]) * sign_of(v_rank_[a], v_rank_[c]);
   const int second = sign_of(v_rank_[a], v_rank_[b]) * sign_of(u_rank_[a], u_rank_[c]);
   if (first != second) return first > second ? 1 : -1;

@@ -1,4 +1,4 @@
-// A polygon's corners in the plane of its mean normal, exactly.
+// A polygon's corners projected exactly onto the plane of its mean normal.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -12,25 +12,26 @@ namespace pineda::scene {
 
 /// A polygon seen along its Newell normal n, the sum of the cross products of neighbouring corners.
 ///
-/// Bits     every answer is exact, whatever the exponents: a corner is projected along n onto two
-///          integer coordinates (u, v), right-handed as seen against n. A double decides where its
-///          error cannot matter, integers elsewhere.
+/// Bits     every result is exact, whatever the exponents: a corner is projected along n onto two
+///          integer coordinates (u, v), right-handed as seen against n. Doubles decide where their
+///          error bound suffices, integers elsewhere.
 class PlanarPolygon {
  public:
   /// All corners are finite; there are three or more.
   explicit PlanarPolygon(const std::vector<Vec3>& corner);
 
-  /// n is not zero. Nothing below means anything otherwise.
+  /// True if n is not zero; otherwise the functions below are meaningless.
   bool has_plane() const { return has_plane_; }
   uint32_t size() const { return static_cast<uint32_t>(u_.size()); }
 
   /// The sign of n . ((b - a) x (c - a)): 1 where a, b, c turn left.
   int turn(uint32_t a, uint32_t b, uint32_t c) const;
 
-  /// The order of the coordinates: equal ranks are equal coordinates.
+  /// The rank of a corner's coordinate in sorted order; equal coordinates have equal ranks.
   uint32_t u_rank(uint32_t i) const { return u_rank_[i]; }
   uint32_t v_rank(uint32_t i) const { return v_rank_[i]; }
-  /// The order of the places (u, v) by u, then by v: equal numbers are one place.
+  /// The rank of a corner's point (u, v), ordered by u, then by v; equal points have equal ranks.
+  /// places() is the number of different points.
   uint32_t place(uint32_t i) const { return place_[i]; }
   uint32_t places() const { return places_; }
 

@@ -14,10 +14,10 @@ namespace pineda::scene {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// More than is lost where a product underflows.
+// Greater than any error from the underflow of a product.
 constexpr double kUnderflow = 1e-300;
 
-// A vector in doubles, and how far off each component may be.
+// A vector in doubles, with an error bound for each component.
 struct Near {
   Vec3 value{};
   Vec3 error{};
@@ -28,7 +28,7 @@ Near near_normal(const std::vector<Vec3>& corner) {
   Near near;
   Vec3 magnitude{};
   for (size_t i = 1; i + 1 < corner.size(); ++i) {
-    // As small as can be: an edge, not two long vectors that are nearly the same.
+    // b is an edge, not a second vector from corner 0: smaller products have smaller errors.
     const Vec3 a = corner[i] - corner[0], b = corner[i + 1] - corner[i];
     for (size_t k = 0; k < 3; ++k) {
       const size_t x = (k + 1) % 3, y = (k + 2) % 3;
@@ -37,14 +37,14 @@ Near near_normal(const std::vector<Vec3>& corner) {
       magnitude[k] += std::abs(left) + std::abs(right);
     }
   }
-  // A term is off by half an epsilon for each factor, the product and the difference, and a sum by
-  // half of one for each term; the rest is for the roundings of the magnitude itself.
+  // Each term has half an epsilon of error for each factor, the product and the difference, and the
+  // sum half an epsilon for each term. The rest covers the rounding of `magnitude` itself.
   const auto terms = static_cast<double>(corner.size() + 8);
   for (size_t k = 0; k < 3; ++k) near.error[k] = terms * (kEpsilon * magnitude[k] + kUnderflow);
   return near;
 }
 
-// n x w for a w that has nothing to do with anybody's axes.
+// n x w for a fixed w that is unlikely to be parallel or perpendicular to anything in a mesh.
 Near across(const Near& n) {
   constexpr Vec3 kAskew{.6180339887, .2786204327, .7352941176};
   Near near;
@@ -82,7 +82,8 @@ int near_turn(const Near& n, const Vec3& ab, const Vec3& bc) {
   return near_sign(n, product, magnitude);
 }
 
-// A convex polygon moves ahead along one run of its edges and back along the other.
+// Counts how often the edges of a polygon change between ahead and back along a direction: for a
+// convex polygon twice.
 struct Reversals {
   bool first = false, last = false, has_first = false;
   int count = 0;
@@ -95,7 +96,7 @@ struct Reversals {
   bool are_two() const { return count + (first != last ? 1 : 0) == 2; }
 };
 
-// Is the polygon convex with every turn to the left? If doubles can tell that it is or is not.
+// Is the polygon convex, with left turns only? Nothing if doubles cannot decide.
 std::optional<bool> is_surely_convex(const std::vector<Vec3>& corner) {
   const size_t n = corner.size();
   const Near normal = near_normal(corner);
@@ -109,7 +110,7 @@ std::optional<bool> is_surely_convex(const std::vector<Vec3>& corner) {
     if (turn < 0) return false;
     is_sure = is_sure && turn > 0;
     before = step;
-    if (!is_sure || n < 5) continue;  // less than five turns make less than two rounds
+    if (!is_sure || n < 5) continue;  // fewer than five left turns cannot go around twice
     const int sign =
         near_sign(ahead, step, {std::abs(step[0]), std::abs(step[1]), std::abs(step[2])});
     is_sure = sign != 0;
@@ -120,7 +121,7 @@ std::optional<bool> is_surely_convex(const std::vector<Vec3>& corner) {
 }
 
 bool is_convex(const PlanarPolygon& polygon) {
-  // Without corners that repeat the one before.
+  // Leaves out corners that equal the one before.
   std::vector<uint32_t> corner;
   for (uint32_t i = 0; i < polygon.size(); ++i) {
     const uint32_t before = i > 0 ? i - 1 : polygon.size() - 1;

@@ -10,22 +10,21 @@
 
 namespace pineda::scene {
 
-/// What a polygon is, seen along its Newell normal.
+/// The shape of a polygon, seen along its Newell normal.
 enum class PolygonShape {
-  kConvex,    // no right turn, and around once
-  kSimple,    // it may touch itself, but has an inside that it surrounds once
-  kCrossing,  // it crosses itself, or surrounds something twice
-  kUnknown,   // kSimple or kCrossing: there are more ways to cut it than are tried
-  kFlat,      // its Newell normal is zero: no direction to see it from
+  kConvex,    // no right turn, and goes around once
+  kSimple,    // has an inside that it winds around once; it may touch itself
+  kCrossing,  // it crosses itself, or winds around something twice
+  kUnknown,   // kSimple or kCrossing: not all ways to cut it were tried
+  kFlat,      // its Newell normal is zero, so it has no plane
   kUnbounded  // a coordinate is NaN or infinite
 };
 
-/// Cuts the polygon of three or more corners into n - 2 triangles of numbers of corners, which it
-/// adds.
+/// Cuts a polygon of n >= 3 corners into n - 2 triangles, and appends the numbers of their corners.
 ///
 /// Bits     every decision is exact, whatever the exponents of the coordinates.
-/// Out      kSimple: triangles that cover the inside once and turn as the polygon does, some maybe
-///          without area in its plane. All others: the fan from the first corner.
+/// Out      kSimple: triangles that cover the inside once and have the polygon's orientation; some
+///          may have no area in its plane. All other shapes: the fan from the first corner.
 PolygonShape triangulate(const std::vector<Vec3>& corner,
                          std::vector<std::array<uint32_t, 3>>* triangles);
 
@@ -34,12 +33,12 @@ class PolygonCutter {
  public:
   explicit PolygonCutter(Mesh* mesh) : mesh_(mesh) {}
 
-  /// Adds a polygon of `count` >= 3 vertices, whose positions the mesh has: its triangles, their
-  /// provoking vertex, which is the first one, and, of more than three corners and if it does not
-  /// cross itself, the polygon.
+  /// Adds a polygon of `count` >= 3 vertices of the mesh: its triangles, with the first vertex as
+  /// provoking vertex; and to Mesh::polygon, if it has more than three corners and is convex or
+  /// simple.
   void add(const uint32_t* vertex, size_t count);
 
-  /// One line each for polygons that were cut as fans though a fan may be wrong.
+  /// One line for each kind of polygon for which the fan may be wrong.
   void warn(const std::string& file, std::vector<std::string>* warnings) const;
 
  private:
@@ -49,7 +48,7 @@ class PolygonCutter {
   uint64_t crossing_ = 0;
   uint64_t unknown_ = 0;
   uint64_t flat_ = 0;
-  std::vector<Vec3> corner_;  // kept for their memory
+  std::vector<Vec3> corner_;  // members only to reuse their memory
   std::vector<std::array<uint32_t, 3>> cut_;
 };
 

@@ -5,15 +5,15 @@
 namespace pineda::scene {
 namespace {
 
-// Between two places; `low` comes first in their order.
+// An edge between two points; `low` comes first in the order of points, by u, then by v.
 struct Edge {
   uint32_t low = 0, high = 0;  // corners
-  int step = 0;                // 1: the polygon runs from low to high, its inside above
-  int above = 0;               // how often it winds around what is just above
+  int step = 0;   // 1: the polygon runs from low to high, its inside above; -1: reverse
+  int above = 0;  // winding number just above the edge
 };
 
-// A line sweeps over the places in their order. The edges that it cuts are kept from below to
-// above; edges upon each other are neighbours, of which the last one's `above` counts.
+// A sweep line visits the points in order. cut_ holds the edges that it crosses, from below to
+// above. Edges that coincide are neighbours in it; only the last one's `above` is valid.
 class Sweep {
  public:
   explicit Sweep(const PlanarPolygon& polygon) : polygon_(polygon) {
@@ -53,8 +53,8 @@ class Sweep {
     return side(a, b.low) * side(a, b.high) < 0 && side(b, a.low) * side(b, a.high) < 0;
   }
 
-  // The edges that end at the corner leave; those that go on beyond it join the batch. Returns
-  // where they were.
+  // Removes from cut_ the edges that pass through the corner; those that go on beyond it join the
+  // batch. Returns their position in cut_.
   size_t take_those_through(uint32_t corner) {
     const auto first = std::partition_point(
         cut_.begin(), cut_.end(), [&](const Edge& edge) { return side(edge, corner) > 0; });
@@ -65,7 +65,8 @@ class Sweep {
     return static_cast<size_t>(cut_.erase(first, end) - cut_.begin());
   }
 
-  // The batch leaves the corner to the right; false if something crosses or is surrounded wrongly.
+  // Inserts the batch, the edges that leave the corner to the right. False if edges cross or a
+  // winding number is not 0 or 1.
   bool put_back(uint32_t corner, size_t at) {
     std::sort(batch_.begin(), batch_.end(), [&](const Edge& a, const Edge& b) {
       return polygon_.turn(corner, a.high, b.high) > 0;
@@ -84,8 +85,8 @@ class Sweep {
   }
 
   const PlanarPolygon& polygon_;
-  std::vector<Edge> edges_;          // in the order of their first places
-  std::vector<uint32_t> corner_at_;  // a corner at each place
+  std::vector<Edge> edges_;          // in the order of their points `low`
+  std::vector<uint32_t> corner_at_;  // one corner at each point
   std::vector<Edge> cut_;
   std::vector<Edge> batch_;
 };

@@ -1,4 +1,4 @@
-// The bytes of a file in order, read in blocks.
+// Reads the bytes of a stream in blocks.
 #pragma once
 
 #include <cstddef>
@@ -8,20 +8,20 @@
 
 namespace pineda::scene {
 
-/// Memory grows with the longest run of bytes that is asked for, never with the file.
+/// Memory is bounded by the longest run of bytes that the caller needs at once, not by the file.
 class BlockReader {
  public:
   explicit BlockReader(std::unique_ptr<std::istream> stream) : stream_(std::move(stream)) {}
 
-  /// What was read and not taken yet.
+  /// The bytes that were read but not taken yet.
   const char* data() const { return buffer_.data() + begin_; }
   size_t size() const { return end_ - begin_; }
-  /// Reads on; data() may move. False at the end of the file.
+  /// Reads another block; data() may move. False at the end of the file.
   bool read_more();
   void take(size_t count) { begin_ += count; }
 
-  /// Takes the next bytes, which stay where they are until the next call of anything here; nullptr
-  /// if the file ends before.
+  /// Takes the next `count` bytes; they are valid until the next call of any member. nullptr if the
+  /// file has fewer.
   const char* take_all(size_t count) {
     while (size() < count) {
       if (!read_more()) return nullptr;
@@ -30,15 +30,15 @@ class BlockReader {
     return buffer_.data() + begin_ - count;
   }
 
-  /// The end of the file was an error of reading.
+  /// True if reading stopped because of an error.
   bool is_bad() const { return stream_->bad(); }
-  /// Starts again; false if the stream cannot.
+  /// Starts again at the beginning; false if the stream cannot seek.
   bool rewind();
 
  private:
   std::unique_ptr<std::istream> stream_;
   std::vector<char> buffer_;
-  size_t begin_ = 0, end_ = 0;  // what is in the buffer
+  size_t begin_ = 0, end_ = 0;  // range of the buffer with bytes not taken yet
 };
 
 }  // namespace pineda::scene

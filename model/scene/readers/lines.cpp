@@ -19,7 +19,8 @@ constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-// from_chars is several times as fast as strtof, and takes a part of what that takes.
+// Tries from_chars first: it is several times as fast as strtof but does not accept all of its
+// forms.
 template <class T, class Strto>
 bool parse(const char* word, const char* end, T* value, Strto strto) {
   const char* digits = *word == '-' ? word + 1 : word;
@@ -52,7 +53,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::unique_ptr<std::istream> open_file(const std::string& path) {
-  std::error_code unreadable;  // found again, with its cause, when the file is opened
+  std::error_code unreadable;  // ignored: opening the file reports the error and its cause
   if (std::filesystem::is_directory(path, unreadable)) {
     throw InputError(path, "expected a file, got a directory");
   }
@@ -64,7 +65,7 @@ std::unique_ptr<std::istream> open_file(const std::string& path) {
   return stream;
 }
 
-// The next line as it stands, into raw_.
+// Reads the next line, as it is in the file, into raw_.
 bool LineReader::next_line() {
   size_t searched = 0;
   const void* found = nullptr;
@@ -169,7 +170,7 @@ void LineReader::expect_words(size_t count, const char* form) const {
 }
 
 void LineReader::fail(const std::string& expected, std::string_view got) const {
-  // An empty file is wrong at its first line.
+  // In an empty file the error is in line 1.
   throw InputError(file_, std::max<uint64_t>(line_, 1),
                    fmt::format("expected {}, got {}", expected, quoted(std::string(got))));
 }

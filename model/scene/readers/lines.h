@@ -1,4 +1,4 @@
-// Lines of words from a text file, with errors that name the line.
+// Splits the lines of a text file into words; errors name the line.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,18 @@ namespace pineda::scene {
 /// Opens a file for reading, or throws InputError with the system's reason.
 std::unique_ptr<std::istream> open_file(const std::string& path);
 
-/// What a message quotes of a file: short, and printable whatever the file holds.
+/// Text from a file as a message may quote it: shortened, and with printable characters only.
 std::string quoted(const std::string& text);
 
-/// The word as a number, if all of it is one: what strtof and strtod return, hexadecimal numbers,
-/// nan and inf included. A NUL stands at the word's end.
+/// Parses a whole word as a number, with the results of strtof and strtod, including hexadecimal
+/// numbers, nan and inf. False if it is none. *end must be NUL.
 bool parse_number(const char* word, const char* end, float* value);
 bool parse_number(const char* word, const char* end, double* value);
 
-/// What stands in lines beyond words.
+/// The syntax of comments and continued lines.
 struct LineSyntax {
-  bool comment_ends_word = true;     // '#' begins a comment anywhere, not only where a word would
-  bool backslash_continues = false;  // at a line's end, outside of comments
+  bool comment_ends_word = true;     // '#' begins a comment even inside a word
+  bool backslash_continues = false;  // '\' at the end of a line joins the next, except in comments
 };
 
 /// Reads a text line by line and splits each into words. A line ends with LF. Words are separated
@@ -37,8 +37,8 @@ class LineReader {
   LineReader(std::string file, std::unique_ptr<std::istream> stream, LineSyntax syntax = {})
       : file_(std::move(file)), blocks_(std::move(stream)), syntax_(syntax) {}
 
-  /// The next line that is neither blank nor a comment, split into words; false at the end of the
-  /// file. A line that is continued is one with the lines that continue it.
+  /// Reads the next line that is neither blank nor a comment, and splits it into words; false at
+  /// the end of the file. A line and its continuations count as one line.
   bool next();
   void rewind();
 
@@ -47,12 +47,12 @@ class LineReader {
   const std::vector<const char*>& words() const { return words_; }
   const char* end_of_word(size_t i) const { return ends_[i]; }
   bool is(const char* keyword) const;
-  /// The number of the line, from 1; of one that is continued, of its first line.
+  /// The number of the line, from 1; if it is continued, that of its first line.
   uint64_t line() const { return line_; }
-  /// The bytes behind the line, for a file that goes on in another format.
+  /// The bytes after the line, for a file that continues in another format.
   BlockReader& bytes() { return blocks_; }
 
-  /// Word `i` as a number, whatever strtof returns; throws if it is none.
+  /// Word `i` as a number, see parse_number(); throws if it is none.
   float number(size_t i) const;
   /// Word `i` as a decimal integer in [low, high]; `what` names it, "a width" for instance.
   int integer(size_t i, int low, int high, const char* what) const;
@@ -71,8 +71,8 @@ class LineReader {
   BlockReader blocks_;
   LineSyntax syntax_;
   std::string_view raw_;  // in blocks_ or joined_
-  std::string joined_;    // a line and those that continue it
-  std::string split_;     // the line, each word closed by a NUL
+  std::string joined_;    // a line and its continuations
+  std::string split_;     // the line with a NUL after each word
   std::vector<const char*> words_, ends_;
   uint64_t line_ = 0;
   uint64_t lines_read_ = 0;

@@ -1,4 +1,4 @@
-// Normals for meshes that come without.
+// Computes normals for meshes that lack them.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,15 @@
 
 namespace pineda::scene {
 
-/// Per position: the mean of the normals of the faces around it, weighted by their areas; of unit
-/// length, or zero where no face has one.
+/// For each position the area-weighted mean of the normals of its triangles, with unit length; zero
+/// where no triangle has a normal.
 std::vector<Vec3> mean_normals(const std::vector<Vec3>& position,
                                const std::vector<std::array<uint32_t, 3>>& triangle);
 
-/// Makes the normals, one a position, of unit length; those that are no directions become the mean.
+/// Normalizes the normals, one for each position; those that are no directions (zero or not finite)
+/// are replaced by mean_normals().
 ///
-/// Out      how many of those the triangles use.
+/// Out      the number of replaced normals that triangles use.
 uint64_t mend_normals(const std::vector<Vec3>& position,
                       const std::vector<std::array<uint32_t, 3>>& triangle,
                       std::vector<Vec3>* normal);

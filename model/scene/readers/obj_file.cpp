@@ -12,8 +12,8 @@
 namespace pineda::scene {
 namespace {
 
-// Groups, names and display: they add nothing to draw; materials are counted where they are used.
-// And what belongs to the curves and surfaces that are counted.
+// Keywords that are ignored: groups, names, display settings, and the details of curves and
+// surfaces, which are counted themselves. Materials are counted where they are used.
 constexpr std::array<std::string_view, 29> kLeftOut{
     "vt",       "g",         "o",          "s",        "mtllib", "vp",    "mg",    "maplib",
     "usemap",   "bevel",     "lod",        "c_interp", "step",   "ctech", "stech", "cstype",
@@ -27,7 +27,7 @@ bool is_one_of(const std::array<std::string_view, Count>& all, std::string_view 
   return std::find(all.begin(), all.end(), word) != all.end();
 }
 
-// One index; nullptr if there is none.
+// Parses an index; returns the position after it, or nullptr if there is none.
 const char* parse_index(const char* from, const char* end, int* value) {
   const auto result = std::from_chars(from, end, *value);
   return result.ec == std::errc() ? result.ptr : nullptr;
@@ -102,7 +102,7 @@ void ObjFile::face() {
   is_.corners.push_back(static_cast<uint32_t>(corners));
 }
 
-// V, V/VT, V//VN or V/VT/VN, VT and VN maybe left out behind their slash
+// Parses V, V/VT, V//VN or V/VT/VN, where VT and VN may be missing after their slash.
 ObjCorner ObjFile::corner(size_t i) {
   const char* word = lines_.words()[i];
   const char* end = lines_.end_of_word(i);
@@ -123,7 +123,8 @@ ObjCorner ObjFile::corner(size_t i) {
   return corner;
 }
 
-// A face may name a vertex that follows later, so the end of the file decides.
+// Positive indices are checked at the end of the file, since a face may use a vertex that follows
+// later.
 uint32_t ObjFile::vertex_index(const char* word, int value) {
   const auto count = static_cast<int64_t>(is_.position.size());
   if (value == 0 || value < -count) {
@@ -133,7 +134,7 @@ uint32_t ObjFile::vertex_index(const char* word, int value) {
   return static_cast<uint32_t>(value > 0 ? value - 1 : count + value);
 }
 
-// One that there is not is found by the end of the file, as one beyond the last.
+// An invalid index becomes one beyond the last, which check_indices() finds at the end of the file.
 uint32_t ObjFile::normal_index(int value) const {
   const auto count = static_cast<int64_t>(is_.normal.size());
   if (value > 0) return static_cast<uint32_t>(value - 1);

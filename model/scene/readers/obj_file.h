@@ -1,4 +1,4 @@
-// The statements of a Wavefront .obj file; the mesh that they make is obj_reader's.
+// Parses the statements of a Wavefront .obj file; obj_reader makes the mesh from them.
 #pragma once
 
 #include <cstdint>
@@ -17,29 +17,29 @@ struct ObjCorner {
   uint32_t normal = kNoNormal;
 };
 
-/// What a file states, its indices checked and from 0.
+/// The contents of a file. Indices are checked and count from 0.
 struct ObjStatements {
   std::vector<Vec3> position;
-  std::vector<Vec3> normal;  // as stated: maybe not of unit length, zero or not finite
+  std::vector<Vec3> normal;  // as stated, so of any length, or not finite
   std::vector<Rgba> color;   // of the vertices that have one
   std::vector<ObjCorner> corner;
-  std::vector<uint32_t> corners;  // of each face, in order
+  std::vector<uint32_t> corners;  // number of corners of each face, in order
 
-  uint64_t missing_normals = 0;  // corners that name a normal that there is not
+  uint64_t missing_normals = 0;  // corners with an invalid normal index
   uint64_t points = 0, lines = 0, surfaces = 0, materials = 0;
   uint64_t unknown = 0;  // lines
   uint64_t first_unknown_line = 0;
   std::string first_unknown;  // its keyword
 };
 
-/// Reads the file once. Errors as read_obj() has them.
+/// Reads a file, once. For errors see read_obj().
 class ObjFile {
  public:
   explicit ObjFile(const std::string& file);
   ObjStatements read();
 
  private:
-  // The greatest index that a face names, and where.
+  // The greatest index used by a face, and its line.
   struct Greatest {
     int64_t index = 0;
     uint64_t line = 0;

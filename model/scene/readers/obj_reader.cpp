@@ -11,7 +11,8 @@
 namespace pineda::scene {
 namespace {
 
-// Of the file's vertices, from the mesh's triangles: `vertex` says whose each mesh vertex is.
+// Mean normals of the file's vertices, from the mesh's triangles. vertex[i] is the file's vertex
+// that mesh vertex i comes from.
 std::vector<Vec3> mean_normals_of(const Mesh& mesh, const std::vector<uint32_t>& vertex,
                                   const std::vector<Vec3>& position) {
   std::vector<std::array<uint32_t, 3>> triangle = mesh.triangle;
@@ -21,7 +22,8 @@ std::vector<Vec3> mean_normals_of(const Mesh& mesh, const std::vector<uint32_t>&
   return mean_normals(position, triangle);
 }
 
-// A mesh vertex for each pair of position and normal that occurs, in the order of the corners.
+// Builds a mesh with one vertex for each pair of position and normal that occurs, in the order of
+// the corners.
 class Builder {
  public:
   explicit Builder(const ObjStatements& file)
@@ -47,7 +49,7 @@ class Builder {
 
  private:
   struct Known {
-    uint32_t vertex = UINT32_MAX;  // of the mesh; this: none yet
+    uint32_t vertex = UINT32_MAX;  // of the mesh; UINT32_MAX: none yet
     uint32_t normal = 0;
   };
 
@@ -92,13 +94,13 @@ class Builder {
   const ObjStatements& file_;
   bool is_colored_;
   Mesh mesh_;
-  std::vector<ObjCorner> origin_;  // of the mesh's vertices
-  std::vector<Known> first_;       // of each position
+  std::vector<ObjCorner> origin_;  // the file's vertex and normal of each mesh vertex
+  std::vector<Known> first_;       // the first mesh vertex of each position
   std::unordered_map<uint64_t, uint32_t> others_;
   uint64_t unusable_normals_ = 0;
 };
 
-// What the file has and the mesh has not.
+// Adds warnings for parts of the file that the mesh does not have.
 void warn(const std::string& name, const ObjStatements& file, uint64_t unusable_normals,
           std::vector<std::string>* warnings) {
   const auto say = [&](uint64_t count, const std::string& text) {

@@ -13,9 +13,9 @@ using Names = std::array<std::string_view, 4>;
 constexpr std::array<Names, 3> kNames{
     Names{"red", "green", "blue", "alpha"}, Names{"r", "g", "b", "a"},
     Names{"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"}};
-constexpr size_t kShort = 1;  // of kNames: letters that may mean anything
+constexpr size_t kShort = 1;  // index in kNames: single letters, which may mean something else
 
-// 1 as a colour of this type; 0 where the format says none.
+// The number that means 1 in a colour of this type; 0 if the type cannot be a colour.
 double full_scale(const PlyProperty& property) {
   if (property.count) return 0;
   switch (property.type) {
@@ -36,7 +36,7 @@ int channel_of(const Names& names, const std::string& name) {
   return at == names.end() ? -1 : static_cast<int>(at - names.begin());
 }
 
-// All of red, green and blue, and alpha or not, each once and of a usable type.
+// Does the element have red, green and blue, and maybe alpha, each once and of a usable type?
 bool has_all(const PlyElement& element, const Names& names) {
   std::array<int, 4> count{};
   for (const PlyProperty& property : element.properties) {
@@ -52,7 +52,7 @@ bool ends_with(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-// ambient_red, specular_blue, vertex_color, RGB, f_dc_0 and the like.
+// True for names like ambient_red, specular_blue, vertex_color, RGB, f_dc_0.
 bool looks_like_color(std::string name) {
   for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   for (const char* end :

@@ -18,7 +18,7 @@ struct TypeRow {
   const char* short_name;
   const char* long_name;
   size_t bytes;
-  double low, high;  // of integers; a float may be anything
+  double low, high;  // range; unlimited for floats
 };
 
 // In the order of PlyType.
@@ -45,7 +45,7 @@ double as(const char* bytes) {
 
 }  // namespace
 
-// A '#' inside a word is part of a name.
+// In PLY '#' begins no comment inside a word: it may be part of a name.
 PlyFile::PlyFile(const std::string& file)
     : file_(file), lines_(file, open_file(file), {false, false}) {
   read_header();
@@ -86,7 +86,7 @@ void PlyFile::header_line() {
   }
 }
 
-// The last element is complete.
+// Checks the last element when its properties are complete.
 void PlyFile::close_element() {
   if (elements_.empty()) return;
   const PlyElement& last = elements_.back();
@@ -204,7 +204,7 @@ double PlyFile::bytes(PlyType type) {
     if (lines_.bytes().is_bad()) throw InputError(file_, "expected more bytes, got a read error");
     fail(fmt::format("more bytes, {} of {} elements read", number_, element_->count), "");
   }
-  // The model runs on little-endian machines, as its vectors and .ptrb files say.
+  // The host is assumed to be little-endian, as for vectors and .ptrb files.
   char turned[8];
   if (encoding_ == Encoding::kBigEndian) {
     std::reverse_copy(value, value + size, turned);

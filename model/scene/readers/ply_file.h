@@ -1,4 +1,4 @@
-// The elements and values of a PLY file, whatever its encoding; what they mean is ply_reader's.
+// Reads the elements and values of a PLY file in any encoding; ply_reader interprets them.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ enum class PlyType { kI8, kU8, kI16, kU16, kI32, kU32, kF32, kF64 };
 struct PlyProperty {
   std::string name;
   PlyType type;
-  std::optional<PlyType> count;  // of a list: the type of its length
+  std::optional<PlyType> count;  // for a list, the type of its length
 };
 
 struct PlyElement {
@@ -26,26 +26,26 @@ struct PlyElement {
 };
 
 /// In       "ply", "format ascii|binary_little_endian|binary_big_endian 1.0", elements and their
-///          properties under the short (uchar) or long (uint8) names of types, "end_header"; then
-///          the elements in order, in ASCII one a line. Comments and unknown lines may stand
-///          anywhere in the header behind its first line.
-/// Errors   InputError with the line; in a binary body with the element instead, "face 7" (from 0).
+///          properties with short (uchar) or long (uint8) names of types, "end_header"; then the
+///          elements in order, in ASCII one in each line. Comments and unknown lines may be
+///          anywhere in the header after its first line.
+/// Errors   InputError with the line; in a binary body with the element, "face 7" (from 0).
 /// Source   G. Turk, "The PLY Polygon File Format", 1994.
 class PlyFile {
  public:
   explicit PlyFile(const std::string& file);
 
   const std::vector<PlyElement>& elements() const { return elements_; }
-  /// Of the header.
+  /// Unknown lines of the header.
   uint64_t unknown_lines() const { return unknown_lines_; }
   const std::string& first_unknown_line() const { return first_unknown_line_; }
 
-  /// Each element's values are read in the order of its properties between begin() and end().
+  /// Call begin(), read the element's values in the order of its properties, then call end().
   void begin(const PlyElement& element, uint64_t i);
   double number(PlyType type) { return encoding_ == Encoding::kAscii ? word(type) : bytes(type); }
   uint64_t list_size(PlyType type);
   void end() const;
-  /// Is something left? To be asked behind the last element.
+  /// Is anything left in the file after the last element?
   bool has_more();
 
   [[noreturn]] void fail(const std::string& expected, const std::string& got) const;
@@ -68,10 +68,10 @@ class PlyFile {
   Encoding encoding_ = Encoding::kAscii;
   bool has_format_ = false;
   std::vector<PlyElement> elements_;
-  std::set<std::string> names_;  // of the elements that are complete
+  std::set<std::string> names_;  // of the elements read so far
   uint64_t unknown_lines_ = 0;
   std::string first_unknown_line_;
-  const PlyElement* element_ = nullptr;  // being read, and its number
+  const PlyElement* element_ = nullptr;  // the one being read, and its number
   uint64_t number_ = 0;
   size_t next_word_ = 0;
 };

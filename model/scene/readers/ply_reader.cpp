@@ -16,10 +16,10 @@
 namespace pineda::scene {
 namespace {
 
-// What a vertex may have beside its colour, in the order in which it is kept.
+// The properties of a vertex beside its colour, in the order in which they are stored.
 constexpr const char* kSlots[] = {"x", "y", "z", "nx", "ny", "nz"};
 constexpr size_t kNormal = 3, kSlotCount = 6;
-constexpr double kRestart = -1;  // in the list of tristrips
+constexpr double kRestart = -1;  // begins a new strip in a list of tristrips
 
 ptrdiff_t count_slots(const PlyElement& vertex, size_t first, size_t end) {
   return std::count_if(kSlots + first, kSlots + end, [&](const char* name) {
@@ -33,11 +33,11 @@ bool is_corners(const PlyProperty& property) {
   return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-// Polygons, and triangles of strips, as the file states them.
+// The file's faces: polygons, and triangles of strips.
 struct Faces {
   std::vector<uint32_t> corner;
-  std::vector<uint32_t> corners;  // of each
-  std::vector<Rgba> color;        // of each, or empty
+  std::vector<uint32_t> corners;  // number of corners of each face
+  std::vector<Rgba> color;        // of each face, or empty
 };
 
 class Reader {
@@ -74,7 +74,7 @@ class Reader {
     return nullptr;
   }
 
-  // The header decides what can be read, so nothing needs to be read first.
+  // Checks by the header alone, before any value is read, that the file can be used.
   void check() {
     const PlyElement* vertex = find("vertex");
     if (vertex == nullptr || count_slots(*vertex, 0, kNormal) != 3) {
@@ -188,7 +188,7 @@ class Reader {
       }
       corners_.push_back(static_cast<uint32_t>(corner));
     }
-    // A strip may end with its -1.
+    // The last strip may also be ended by -1, and is then done already.
     if (!corners_.empty() || topology == Topology::kFan) add_face(topology);
   }
 
@@ -207,7 +207,7 @@ class Reader {
     }
   }
 
-  // Each face gets vertices of its own, of its colour.
+  // Gives each face its own vertices, with the face's colour.
   void separate_faces() {
     if (faces_.corner.size() >= std::numeric_limits<uint32_t>::max()) {
       throw InputError(name_, "expected less than 2^32 - 1 corners of faces that have colours");
@@ -234,7 +234,7 @@ class Reader {
     cutter.warn(name_, warnings_);
   }
 
-  // Of the file's vertices, whose faces may have been separated.
+  // Computes the normals of the file's vertices, also if separate_faces() has duplicated them.
   void set_normals() {
     auto triangle = mesh_.triangle;
     if (!origin_.empty()) {
@@ -285,7 +285,7 @@ class Reader {
   std::vector<uint32_t> corners_;  // of the face that is being read
   Faces faces_;
   Mesh mesh_;
-  // Of separated faces: the file's vertex of each of the mesh's, and the file's positions.
+  // After separate_faces(): the file's vertex of each mesh vertex, and the file's positions.
   std::vector<uint32_t> origin_;
   std::vector<Vec3> vertex_position_;
 };

@@ -84,7 +84,7 @@ PtrbHeader parse_header(const spec::Contract& contract, const std::string& file,
       parse_state(file, u32_at(&bytes[8]), u32_at(&bytes[12]), flags, contract.design.guard_bits);
   header.has_w = (flags & 1) != 0;
   header.triangles = u32_at(&bytes[20]) | static_cast<uint64_t>(u32_at(&bytes[24])) << 32;
-  // The number that travels with a triangle has 32 bits.
+  // A triangle's number has 32 bits.
   if (header.triangles > uint64_t{1} << spec::kTriangleIdBits) {
     throw InputError(file,
                      fmt::format("expected at most 2^32 triangles, got {}", header.triangles));
@@ -127,7 +127,7 @@ void PtrbReader::refill() {
 }
 
 void PtrbReader::check_end() {
-  // Of a file with a known length this was checked at the start.
+  // If the length is known this was checked at the start.
   if (!can_rewind_ && stream_->peek() != std::istream::traits_type::eof()) {
     throw InputError(file_,
                      fmt::format("expected {} triangles, got bytes after them", header_.triangles));
@@ -175,7 +175,7 @@ uint64_t PtrbReader::skip(uint64_t triangles) {
   if (can_rewind_) {
     stream_->seekg(bytes, std::ios::cur);
   } else {
-    stream_->ignore(bytes);  // an end too early is found when the next triangle is read
+    stream_->ignore(bytes);  // reading the next triangle reports a premature end
   }
   next_ += skipped;
   return skipped;
@@ -191,7 +191,7 @@ std::shared_ptr<std::istream> spool_ptrb(const spec::Contract& contract, const s
   if (descriptor < 0) throw InputError(path, "expected to make a temporary file");
   auto spool = std::make_shared<std::fstream>(
       path, std::ios::in | std::ios::out | std::ios::binary | std::ios::trunc);
-  ::unlink(path.c_str());  // the open stream keeps the file; nothing is left behind
+  ::unlink(path.c_str());  // the file exists until the stream is closed
   ::close(descriptor);
 
   spool->write(reinterpret_cast<const char*>(header.data()), header.size());

@@ -1,4 +1,4 @@
-// Reader of .ptrb: triangles after the viewport transform, binary, for streaming.
+// Reader of .ptrb, a binary format for streams of triangles after the viewport transform.
 #pragma once
 
 #include <istream>
@@ -11,7 +11,7 @@
 
 namespace pineda::scene {
 
-/// What the 28 bytes at the start say.
+/// The contents of the 28-byte header.
 struct PtrbHeader {
   spec::FrameState frame;
   bool has_w = false;
@@ -24,9 +24,9 @@ struct PtrbHeader {
 
 /// Reads triangle by triangle, in bounded memory whatever the count.
 ///
-/// In       a stream at its first byte. With `bytes`, its length, the count is checked before
-///          anything is drawn and rewind() works; without, it is a pipe: a wrong count is found
-///          at its end and rewind() throws.
+/// In       a stream at its first byte. With `bytes`, its length, the count is checked at once and
+///          rewind() works. Without it the stream is a pipe: a wrong count is found at its end, and
+///          rewind() throws.
 /// Errors   InputError: wrong magic, version, flags, size or count; W not positive and normal.
 class PtrbReader final : public ScreenReader {
  public:
@@ -37,7 +37,7 @@ class PtrbReader final : public ScreenReader {
   bool read(ScreenTriangle* triangle, Counters* counters) override;
   void rewind() override;
   std::optional<uint64_t> size() const override { return header_.triangles; }
-  /// In a file without reading it.
+  /// Seeks if the stream is a file.
   uint64_t skip(uint64_t triangles) override;
 
  private:
@@ -51,12 +51,12 @@ class PtrbReader final : public ScreenReader {
   PtrbHeader header_;
   uint64_t next_ = 0;                  // number of the next triangle
   std::vector<unsigned char> buffer_;  // whole triangles
-  size_t position_ = 0;                // in buffer_
+  size_t position_ = 0;                // of the next triangle in buffer_
 };
 
-/// Copies a .ptrb from a pipe into a temporary file without a name, so that it can be read more
-/// than once in bounded memory. Stops one byte after the end that the header states.
-/// Out      the file at its first byte; *bytes = its length.
+/// Copies a .ptrb from a pipe into an unnamed temporary file, so that it can be read several times
+/// in bounded memory. Copies at most one byte more than the header states.
+/// Out      the file, at its first byte; *bytes = its length.
 std::shared_ptr<std::istream> spool_ptrb(const spec::Contract& contract, const std::string& file,
                                          std::istream& stream, uint64_t* bytes);
 

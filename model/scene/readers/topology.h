@@ -1,4 +1,4 @@
-// How a list of corners becomes triangles.
+// Converts lists of corners to triangles.
 #pragma once
 
 #include <array>
@@ -8,14 +8,15 @@ namespace pineda::scene {
 
 enum class Topology { kTriangles, kStrip, kFan };
 
-/// The triangles of `corners` corners; what is left over of kTriangles is the caller's to refuse.
+/// The number of triangles of `corners` corners. The caller must reject kTriangles with a
+/// remainder.
 inline size_t triangle_count(Topology topology, size_t corners) {
   if (topology == Topology::kTriangles) return corners / 3;
   return corners < 3 ? 0 : corners - 2;
 }
 
-/// The corners of triangle `i`. Every second one of a strip is turned, so that all face the same
-/// way.
+/// The corners of triangle `i`. Two corners of every second triangle of a strip are swapped, so
+/// that all have the same winding.
 inline std::array<size_t, 3> triangle_corners(Topology topology, size_t i) {
   switch (topology) {
     case Topology::kTriangles:

@@ -36,7 +36,7 @@ const std::array<TriReader::StateLine, 8> TriReader::kStateLines{{
     {"shade", "shade smooth|flat", 2, &TriReader::read_word<spec::Shade, &spec::FrameState::shade>},
 }};
 
-// Index in kStateLines; its size if there is none.
+// The index of a key in kStateLines; the table's size if it is not there.
 size_t TriReader::find_state_line(const char* key) {
   size_t i = 0;
   while (i < kStateLines.size() && std::string_view(key) != kStateLines[i].key) ++i;
@@ -56,7 +56,7 @@ void TriReader::rewind() {
   read_state();
 }
 
-// Exactly so, but for the carriage return of a CR LF.
+// Is the line exactly kFirstLine, apart from a CR at its end?
 bool TriReader::is_first_line() const {
   std::string_view line = lines_.raw();
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);

@@ -11,7 +11,7 @@ namespace pineda::scene {
 /// Reads triangle by triangle, so that memory does not grow with the file.
 ///
 /// In       the format "pineda-tri 1". A line ends with LF; a CR is a blank. '#' begins a comment,
-///          also behind values and before the first line.
+///          also after values and before the first line.
 /// Errors   InputError with the line: in the constructor for the state lines, in read() for the
 ///          vertices.
 class TriReader final : public ScreenReader {
@@ -20,7 +20,7 @@ class TriReader final : public ScreenReader {
             std::unique_ptr<std::istream> stream);
 
   const spec::FrameState& frame() const { return frame_; }
-  /// The slope factor of the depth bias is no multiple of 2^-8: frame() has the nearest one.
+  /// True if the slope factor of the depth bias was no multiple of 2^-8 and was rounded.
   bool rounded_slope() const { return rounded_slope_; }
   bool read(ScreenTriangle* triangle, Counters* counters) override;
   void rewind() override;
@@ -45,8 +45,8 @@ class TriReader final : public ScreenReader {
   LineReader lines_;
   spec::FrameState frame_;
   bool rounded_slope_ = false;
-  std::array<bool, 8> seen_{};  // of kStateLines
-  bool at_vertex_ = false;      // lines_ stands on a vertex that was not taken yet
+  std::array<bool, 8> seen_{};  // which of kStateLines occurred
+  bool at_vertex_ = false;      // the current line is a vertex that was not used yet
   uint64_t next_ = 0;           // number of the next triangle
 };
 

@@ -1,4 +1,4 @@
-// Newton's iteration: a ROM's first guess, then steps x <- 2x(1 - mx), none included.
+// Newton's iteration: a first guess from a ROM, then 0 or more steps x <- 2x(1 - mx).
 #pragma once
 
 #include <cmath>
@@ -7,13 +7,13 @@
 
 namespace pineda::spec {
 
-/// Bits of an entry; its value has an implied leading 1: (2^bits + entry) / 2^(bits+1), in [1/2,
-/// 1).
+/// Bits of a ROM entry. Its leading 1 is implied: the value is (2^bits + entry) / 2^(bits+1), in
+/// [1/2, 1).
 constexpr int reciprocal_rom_bits(const Design& d) { return d.reciprocal_lut_bits + 1; }
 
-/// First guess of 1/(2m) for m = 0.1iiiiiii..., i = `index`: the constant that halves the relative
-/// error over the interval, 1/(m_low + m_high), to the nearest. |relative error| < 2^-lut_bits
-/// / 1.7.
+/// First guess of 1/(2m) for m = 0.1iiiiiii..., i = `index`: 1/(m_low + m_high) of the interval,
+/// which gives the same relative error at both ends, rounded to the nearest. |relative error| <
+/// 2^-lut_bits / 1.7.
 constexpr int64_t reciprocal_rom(const Design& d, int index) {
   const int l = d.reciprocal_lut_bits;
   // (m_low + m_high) * 2^(l+1)
@@ -24,17 +24,18 @@ constexpr int64_t reciprocal_rom(const Design& d, int index) {
 
 namespace newton {
 
-/// One to align, one for the ROM, two a step.
+/// One cycle to align the argument, one for the ROM, two for each step.
 constexpr int cycles(const Design& d) { return 2 + 2 * d.reciprocal_newton_steps; }
 
-/// Two products a step, the second waits for the first.
+/// Two products for each step; the second one waits for the first.
 constexpr int serial_setup_steps(const Design& d) {
   return d.reciprocal_newton_steps > 0 ? 3 * d.reciprocal_newton_steps - 1 : 0;
 }
 
-/// A step squares the error, downwards, and its two truncations add up to t upwards and 2t
-/// downwards; the ROM's first guess is within .625 * 2^-l. For the named ROMs and k a smaller
-/// bound, found by trying every mantissa (`pineda study reciprocals --exhaustive`).
+/// The ROM's guess is within .625 * 2^-l. Each step squares the error, which makes the result too
+/// small, and its two truncations make it up to t too great or up to 2t too small. The ROM sizes
+/// and k of named designs have a tighter bound, found by trying every mantissa
+/// (`pineda study reciprocals --exhaustive`).
 inline double error_bound(const Design& d) {
   struct Found {
     int lut_bits, newton_steps, k;
@@ -78,7 +79,7 @@ inline std::string rom_meaning(const Design& d) {
 
 inline constexpr ReciprocalRom kRom{reciprocal_rom_bits, rom_entry, rom_meaning};
 
-/// Two products of k + 2 bits a step.
+/// Two products of k + 2 by k + 2 bits for each step.
 constexpr int64_t logic_bits(const Design& d, int) {
   const int64_t bits = reciprocal_working_bits(d);
   return int64_t{2} * d.reciprocal_newton_steps * bits * bits;

@@ -1,4 +1,4 @@
-// A parabola for each interval: a ROM of coefficients, a square, two products and a sum.
+// Piecewise quadratic approximation: a ROM of coefficients, a square, two products and a sum.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +17,9 @@ struct Parabola {
   int64_t c2;
 };
 
-/// The parabola through 1/(2m) at t = 1/16, 1/2 and 15/16, its coefficients to the nearest. Before
-/// they are rounded its error is below 2^-3l / 31: a sixth of the third derivative is at most 2^-3l
-/// and |(t-1/16)(t-1/2)(t-15/16)| at most .0323; Chebyshev's three points would give .03125.
+/// The parabola that equals 1/(2m) at t = 1/16, 1/2 and 15/16, coefficients rounded to the nearest.
+/// Before that rounding its error is below 2^-3l / 31: a sixth of the third derivative is at most
+/// 2^-3l, and |(t-1/16)(t-1/2)(t-15/16)| at most .0323. The Chebyshev points would give .03125.
 constexpr Parabola reciprocal_parabola(const Design& d, int index) {
   const int l = d.reciprocal_lut_bits;
   const int bits = reciprocal_working_bits(d);
@@ -33,14 +33,14 @@ constexpr Parabola reciprocal_parabola(const Design& d, int index) {
     const int128_t denominator = p * q * r;
     return static_cast<int64_t>(((numerator << (l + bits + 1)) + denominator) / (2 * denominator));
   };
-  // In the first interval c0 is just below 1: it must not round up to it.
+  // In the first interval c0 is just below 1 and must not round up to 1.
   return {std::min(coefficient(16 * q * r + 16 * r + 128), (int64_t{1} << bits) - 1),
           coefficient(256 * r + 2304), coefficient(4096)};
 }
 
-/// Bits of its coefficients in the ROM, and of the whole entry. c0 lies in [1/2, 1): its leading 1
-/// is implied. c1 < 2^-l and c2 < 2^-2l before they are rounded, but in a long table they round up
-/// to it; both are greatest in the first interval.
+/// Widths of the coefficients in the ROM, and of a whole entry. c0 is in [1/2, 1), so its leading 1
+/// is implied. Before rounding c1 < 2^-l and c2 < 2^-2l, but in large tables they can round up to
+/// that. Both are greatest in entry 0, which therefore gives their widths.
 constexpr int parabola_c0_bits(const Design& d) { return reciprocal_working_bits(d) - 1; }
 constexpr int parabola_c1_bits(const Design& d) {
   return bit_length(static_cast<uint64_t>(reciprocal_parabola(d, 0).c1));
@@ -54,19 +54,20 @@ constexpr int parabola_bits(const Design& d) {
 
 namespace quadratic {
 
-/// One to align, three for coefficients, products and sum.
+/// One cycle to align the argument, three for coefficients, products and sum.
 constexpr int cycles(const Design&) { return 4; }
 
-/// Square, linear term, curve.
+/// Products: the square of t, the linear term, the quadratic term.
 constexpr int serial_setup_steps(const Design&) { return 3; }
 
-/// A parabola is within 2^-3l / 31, its coefficients and truncations within 6t.
+/// The parabola: 2^-3l / 31. Rounded coefficients and truncated products: 6t. The truncated
+/// argument and the last rounding: 6t, see Scheme::error_bound.
 inline double error_bound(const Design& d) {
   const double t = std::exp2(-reciprocal_working_bits(d));
   return std::exp2(-3 * d.reciprocal_lut_bits) / 31 + 12 * t;
 }
 
-/// The coefficient of the square has k + 2 - 2*lut_bits bits.
+/// k must leave bits for c2, which has about k + 2 - 2*lut_bits of them.
 inline std::string invalid_reason(const Design& d) {
   if (d.reciprocal_bits >= 2 * d.reciprocal_lut_bits) return {};
   return "reciprocal_bits must be at least 2*reciprocal_lut_bits in a quadratic reciprocal";
@@ -96,7 +97,7 @@ inline std::string rom_meaning(const Design& d) {
 
 inline constexpr ReciprocalRom kRom{parabola_bits, rom_entry, rom_meaning};
 
-/// t * t, and t by two coefficients.
+/// t * t, and the products with c1 and c2.
 constexpr int64_t logic_bits(const Design& d, int) {
   const int64_t t = reciprocal_working_bits(d) - 1 - d.reciprocal_lut_bits;
   return t * (t + parabola_c1_bits(d) + parabola_c2_bits(d));

@@ -1,4 +1,4 @@
-// No reciprocal: planes step by quotient and remainder (core/exact_planes.h).
+// No reciprocal: planes are kept as exact quotients and remainders (core/exact_planes.h).
 #pragma once
 
 #include "model/spec/reciprocal/scheme.h"

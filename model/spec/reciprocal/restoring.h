@@ -1,4 +1,4 @@
-// Restoring division: one bit of the quotient a cycle, or two.
+// Restoring division: one or two bits of the quotient a cycle.
 #pragma once
 
 #include <cmath>
@@ -7,20 +7,22 @@
 
 namespace pineda::spec::restoring {
 
-/// One to align, one for the quotient's first bit, and one for each digit of the k bits behind it.
+/// One cycle to align the argument, one for the quotient's first bit, and one for each digit of the
+/// k bits that follow.
 template <int RadixBits>
 constexpr int cycles(const Design& d) {
   return 2 + (d.reciprocal_bits + RadixBits - 1) / RadixBits;
 }
 
-/// Without products, from step 5 on. The mantissa is wanted 4 products after the planes' start.
+/// Steps in which serial setup waits for the divider, which runs from step 5 on without using the
+/// multiplier. Planes could start in step 9 and need the mantissa 4 products later.
 template <int RadixBits>
 constexpr int serial_setup_steps(const Design& d) {
   const int wait = 5 + cycles<RadixBits>(d) - 4 - 9;
   return wait > 0 ? wait : 0;
 }
 
-/// A quotient is the nearest one: nothing is cut off m.
+/// Only the last rounding: the divider uses all bits of the doubled area.
 inline double error_bound(const Design& d) { return 4 * std::exp2(-reciprocal_working_bits(d)); }
 
 inline std::string invalid_reason(const Design&) { return {}; }
@@ -30,7 +32,7 @@ std::vector<Constant> constants(const Design&) {
   return {{"RECIPROCAL_RADIX_BITS", RadixBits, "of the quotient a cycle"}};
 }
 
-/// A subtraction a bit.
+/// One subtractor for each quotient bit of a cycle.
 template <int RadixBits>
 constexpr int64_t logic_bits(const Design&, int area2_bits) {
   return int64_t{area2_bits} * RadixBits;

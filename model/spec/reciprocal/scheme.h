@@ -1,6 +1,6 @@
-// What the project must know of a scheme for the reciprocal of the doubled area. A scheme is a file
-// beside this one with the functions of its row, and the row in schemes.h; its bits are defined in
-// core/reciprocal.cpp, its RTL stands in rtl/reciprocal.
+// The interface of a scheme for the reciprocal of the doubled area. A scheme needs a file beside
+// this one with its functions, and a row in schemes.h; its bits are defined in core/reciprocal.cpp,
+// its RTL is in rtl/reciprocal.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@
 
 namespace pineda::spec {
 
-/// Fraction bits while a reciprocal is computed: two more than it has in the end.
+/// Fraction bits of intermediate values: two more than the result has.
 constexpr int reciprocal_working_bits(const Design& d) { return d.reciprocal_bits + 2; }
 
-/// A constant of the package.
+/// A constant of the SystemVerilog package.
 struct Constant {
   const char* name;
   int value;
   const char* meaning;
 };
 
-/// A part of a ROM's entry.
+/// One field of a ROM entry.
 struct RomPart {
   int bits;
   int64_t value;
@@ -30,32 +30,32 @@ struct RomPart {
 /// A ROM of 2^reciprocal_lut_bits entries.
 struct ReciprocalRom {
   int (*entry_bits)(const Design&) = nullptr;
-  /// The parts of an entry, the first one on top.
+  /// The fields of an entry, the first one in the top bits.
   std::vector<RomPart> (*entry)(const Design&, int index) = nullptr;
-  /// What an entry stands for, in a line of the package.
+  /// What an entry means, for a comment in the package.
   std::string (*meaning)(const Design&) = nullptr;
 };
 
 struct Scheme {
   ReciprocalScheme value;
   const char* word;
-  const char* macro;  // PINEDA_RECIPROCAL_<macro> has the RTL build it
+  const char* macro;  // the macro PINEDA_RECIPROCAL_<macro> selects it in the RTL
   bool has_rom;
   bool has_newton_steps;
-  bool every_cycle;  // its unit takes a number a cycle, as perspective and pipelined setup need
-  /// Cycles from the doubled area to its reciprocal, the one that aligns it included.
+  bool every_cycle;  // takes a new argument every cycle, as perspective and pipelined setup need
+  /// Cycles from the argument to its reciprocal, its alignment included.
   int (*cycles)(const Design&);
-  /// Steps of serial setup between the edges' last product and the first plane's. The
-  /// reciprocal's last product is taken up while the planes' first one is made.
+  /// Steps of serial setup between the last product of the edges and the first one of the planes.
+  /// The reciprocal's last product is used while the multiplier makes the first one of the planes.
   int (*serial_setup_steps)(const Design&);
-  /// Greatest relative error, proven for every parameter. With t = 2^-(k+2): cutting m off makes
-  /// the result up to 2t greater, the last rounding moves it by up to 4t.
+  /// Upper bound of the relative error, proven for all parameters. With t = 2^-(k+2): truncating
+  /// the argument makes the result up to 2t greater, the last rounding changes it by up to 4t.
   double (*error_bound)(const Design&);
-  /// Why a design cannot have it, or an empty text.
+  /// Why a design cannot use it; empty if it can.
   std::string (*invalid_reason)(const Design&);
-  /// What of it the package names beside k and the cycles.
+  /// Its constants for the package, beside k and the cycles.
   std::vector<Constant> (*constants)(const Design&);
-  /// Bits of partial products and of adders that it is built from, without its ROM.
+  /// Its size in bits of partial products and of adders, without the ROM.
   int64_t (*logic_bits)(const Design&, int area2_bits);
   ReciprocalRom rom = {};  // if it has one
 };

@@ -1,4 +1,4 @@
-// The table of the reciprocal's schemes, and what designs ask it.
+// The table of the reciprocal schemes, and queries on a design's scheme.
 #pragma once
 
 #include "model/spec/reciprocal/newton.h"
@@ -8,7 +8,7 @@
 
 namespace pineda::spec {
 
-/// In the order of the enumeration: a row a line.
+/// The table, in the order of the enumeration.
 inline constexpr Scheme kReciprocalSchemes[] = {
     newton::kScheme,     quadratic::kScheme,  restoring::kScheme2,
     restoring::kScheme4, remainders::kScheme,

@@ -1,2 +1,2 @@
-// The proof that check_includes.sh can fail; never compiled.
+// The mutant for check_includes.sh; never compiled.
 #include "model/core/setup.h"

@@ -1,4 +1,4 @@
-// Polygons on a lattice, made in several ways, and a check of how they were cut.
+// Polygons on a lattice, generated in several ways, and a check of how they were cut.
 #pragma once
 
 #include <algorithm>
@@ -48,7 +48,7 @@ inline int64_t twice_area(const LatticePolygon& p) {
   return area;
 }
 
-/// How often the polygon winds around a point beside its edges, both `scale` times as large.
+/// How often the polygon winds around a point that is not on its edges; `at` is scaled by `scale`.
 inline int winding(const LatticePolygon& p, const LatticePoint& at, int64_t scale) {
   int around = 0;
   for (size_t i = 0; i < p.size(); ++i) {
@@ -62,9 +62,9 @@ inline int winding(const LatticePolygon& p, const LatticePoint& at, int64_t scal
   return around;
 }
 
-/// What is wrong with the triangles of a polygon; "" if they cover its inside once, and nothing
-/// else: there are n - 2, together they have the polygon for their border and its area, each turns
-/// as it does or not at all, and the middle of each lies inside.
+/// What is wrong with the triangles of a polygon; "" if they cover its inside once and nothing
+/// else: there are n - 2, their common border and area are the polygon's, each turns as the polygon
+/// does or has no area, and the middle of each lies inside.
 inline std::string fault_of(const LatticePolygon& p, const Triangles& triangles) {
   const size_t n = p.size();
   if (triangles.size() != n - 2) return "another number of triangles";
@@ -161,7 +161,7 @@ inline LatticePolygon grown(Random* random, size_t n, int64_t size) {
   return p;
 }
 
-// Random points, their crossings undone one after the other.
+// Random points, whose crossings are removed one after the other.
 inline LatticePolygon untangled(Random* random, size_t n, int64_t size) {
   LatticePolygon p;
   while (p.size() < n) {

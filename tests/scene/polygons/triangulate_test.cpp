@@ -16,7 +16,7 @@
 namespace pineda::scene {
 namespace {
 
-// A plane of whole numbers in space, as large as a power of two says.
+// A plane with integer vectors in space, scaled by a power of two.
 struct Plane {
   Vec3 origin{}, x{1, 0, 0}, y{0, 1, 0};
   int exponent = 0;
@@ -63,7 +63,7 @@ Triangles fan(size_t corners) {
   return all;
 }
 
-// From every first corner, in both directions, in the plane of x and y and in another.
+// Cuts it from every first corner, in both directions, in the plane of x and y and in another one.
 void expect_simple(const LatticePolygon& polygon, const Plane& plane = {}) {
   for (size_t first = 0; first < polygon.size(); ++first) {
     LatticePolygon p = turned(polygon, first);
@@ -208,8 +208,8 @@ bool has_crossing(const LatticePolygon& p) {
   return false;
 }
 
-// Lets the polygon touch itself: a triangle beside an edge is taken away, or a diagonal is cut
-// open, or a hole is cut into a triangle; or a corner is repeated. Coordinates grow 8 times.
+// Makes the polygon touch itself: a triangle beside an edge is taken away, a diagonal is cut open,
+// a hole is cut into a triangle, or a corner is repeated. Coordinates grow 8 times.
 LatticePolygon touched(Random* random, const LatticePolygon& simple) {
   LatticePolygon p = simple;
   for (auto& at : p) at = {at.x * 8, at.y * 8};
@@ -219,7 +219,7 @@ LatticePolygon touched(Random* random, const LatticePolygon& simple) {
   const auto k = static_cast<size_t>(random->between(0, 2));
   const uint32_t a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
   const auto behind = [&](uint32_t i) { return p.begin() + static_cast<std::ptrdiff_t>(i) + 1; };
-  // What is cut into a triangle without area may lead outside.
+  // A cut into a triangle without area could lead outside.
   const bool has_area = twice_area(p[a], p[b], p[c]) != 0;
   switch (has_area ? random->between(0, 3) : 3) {
     case 0:
@@ -250,7 +250,7 @@ TEST(Triangulate, RandomPolygonsThatTouchThemselvesAreCoveredOnce) {
                            : untangled(&random, static_cast<size_t>(random.between(4, 14)), 40);
     for (int times = 0; times < 4; ++times) {
       const LatticePolygon next = touched(&random, p);
-      // A diagonal may lead across what was cut open before.
+      // A diagonal may cross an earlier cut.
       if (twice_area(next) == 0 || has_crossing(next)) continue;
       p = next;
       const Cut is = cut(p, random_plane(&random));
@@ -260,8 +260,8 @@ TEST(Triangulate, RandomPolygonsThatTouchThemselvesAreCoveredOnce) {
   }
 }
 
-// Independently: no two edges cross but at corners, and beside every piece of an edge the winding
-// is 0 or that of the whole.
+// An independent test: edges cross at corners only, and beside every piece of an edge the winding
+// number is 0 or that of the whole polygon.
 bool surrounds_once(const LatticePolygon& p) {
   const size_t n = p.size();
   const int turn = sign(twice_area(p));
@@ -314,7 +314,8 @@ TEST(Triangulate, CrossingPolygonsAreToldFromTouchingOnes) {
       ASSERT_TRUE(is_once) << shown(p);
       ASSERT_EQ(fault_of(p, is.triangles), "") << shown(p);
     }
-    // Some cross at a corner though no winding shows it; every way to cut so few corners was tried.
+    // Some polygons cross at a corner though no winding number shows it; with so few corners every
+    // way to cut was tried.
     if (is_once && is.shape == PolygonShape::kCrossing) ++hidden;
     ++(is_once ? once : crossing);
   }
@@ -323,7 +324,7 @@ TEST(Triangulate, CrossingPolygonsAreToldFromTouchingOnes) {
   EXPECT_GT(crossing, 2000u);
 }
 
-// One that crosses itself at a corner, which only trying every way shows.
+// A polygon that crosses itself at a corner, which shows only when every way to cut is tried.
 LatticePolygon crossing_at_a_corner() {
   Random random(3);
   while (true) {
@@ -408,7 +409,7 @@ TEST(Triangulate, LargePolygonsOfEveryKind) {
   EXPECT_EQ(triangles.size(), kCorners - 2);
 }
 
-// By its definition, in rationals.
+// Compares with the definition, in rationals.
 TEST(PlanarPolygon, TurnsAreThoseOfTheNewellNormal) {
   using Rational = boost::multiprecision::cpp_rational;
   using Exact = std::array<Rational, 3>;

@@ -11,7 +11,7 @@
 namespace pineda::scene {
 namespace {
 
-// The bits, so that signs and NaNs count.
+// Compares bits, so that signs and NaNs count.
 template <class T, class Strto>
 void expect_as_strto(const std::string& word, Strto strto) {
   T value = 0;
@@ -109,7 +109,7 @@ TEST(ParseNumber, RandomNumbersAreReadAsStrtofAndStrtodReadThem) {
 }
 
 TEST(LineReader, LinesAndWordsAreWholeAcrossBlocks) {
-  // Lengths without a common factor with any block's.
+  // Lengths that are coprime to any block size.
   std::string text;
   std::vector<std::string> expected;
   for (int i = 0; i < 3000; ++i) {

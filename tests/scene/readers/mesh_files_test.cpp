@@ -14,7 +14,7 @@ struct Bytes {
   std::string bytes;
 };
 
-// Coordinates that are the same as float and as text.
+// Coordinates rounded so that float and text are the same.
 Mesh rounded(Mesh mesh) {
   for (Vec3& p : mesh.position) {
     for (double& x : p) x = static_cast<float>(x);
@@ -108,7 +108,7 @@ void expect_same(const Mesh& mesh) {
 
 TEST(MeshFiles, ShadedMeshIsTheSameInEveryFormat) { expect_same(rounded(teapot(2))); }
 
-// Colours of 0 and 255 only: they are the same linear and as sRGB.
+// Colours of 0 and 255 only, which are the same in linear and sRGB encoding.
 TEST(MeshFiles, ColouredMeshIsTheSameInEveryFormat) {
   Mesh mesh = rounded(teapot(2));
   const auto bit = [](size_t i, int k) { return static_cast<uint8_t>(i >> k & 1 ? 255 : 0); };

@@ -185,7 +185,8 @@ TEST(ObjReader, WhatSaysTheSameGivesTheSameMesh) {
 }
 
 TEST(ObjReader, AStrayCarriageReturnIsNeverTheEndOfALine) {
-  // Two ideas of a line's end, and the indices would count from another vertex.
+  // If the reader had two rules for line ends, the relative indices would count from another
+  // vertex.
   const Mesh mesh = read_text("# x\rv 0 0 0\nv -1 -1 0\nv 1 -1 .25\nv 1 1 0\nf -3 -2 -1\n");
   EXPECT_EQ(mesh.position, (std::vector<Vec3>{{-1, -1, 0}, {1, -1, .25}, {1, 1, 0}}));
   EXPECT_EQ(mesh.triangle.size(), 1u);
@@ -206,7 +207,7 @@ TEST(ObjReader, NormalsThatThereAreNotAreTheMeanAndCounted) {
     ASSERT_EQ(warnings.size(), 1u) << text;
     EXPECT_TRUE(is_one_line_with(warnings[0], message));
   }
-  // Nobody needs it.
+  // No face uses the faulty normals.
   std::vector<std::string> warnings;
   EXPECT_TRUE(
       are_same(read_text("vn nan 0 inf\nvn 0 0 1\nvn 0 0 0\n" + kVertices + "f 1 2 3\nf 1//2 3 4\n",
@@ -254,7 +255,7 @@ TEST(ObjReader, PolygonsAreKeptAndTheirFirstVertexProvokes) {
   EXPECT_EQ(mesh.corner, (std::vector<uint32_t>{0, 1, 2, 3, 3, 0, 1, 2, 4, 5, 6, 7}));
   EXPECT_EQ(mesh.provoking, (std::vector<uint32_t>{0, 0, 0, 3, 3, 3, 3, 3, 3, 0}));
   EXPECT_DOUBLE_EQ(area_of(mesh), 40.5 + 81 + 63 + 40.5);
-  // Where it is each triangle's first corner there is nothing to state.
+  // Where it is each triangle's first corner, nothing is stated.
   EXPECT_TRUE(read_text(u + "f 1 2 3 4\n").provoking.empty());
 }
 

@@ -232,7 +232,7 @@ TEST(PlyReader, ATriangleOfAStripIsProvokedByItsOwnFirstCorner) {
 }
 
 TEST(PlyReader, BinaryValuesAcrossBlocksAreRead) {
-  // 13 bytes a vertex: values lie across every border of the reader's blocks in turn.
+  // With 13 bytes a vertex, values straddle the borders of the reader's blocks in every way.
   constexpr uint32_t kVertices = 40000;
   for (const bool big : {false, true}) {
     std::string text = std::string("ply\nformat ") +
@@ -360,7 +360,7 @@ TEST(PlyFuzz, EveryPrefixIsRefusedInOneLine) {
   const Scratch scratch;
   for (const char* encoding : kEncodings) {
     const std::string whole = square(encoding);
-    // Without its line end an ASCII file is still whole; a shorter last index is another file.
+    // An ASCII file is whole without its last line end; without its last digit it is another file.
     const size_t longest = whole.size() - (std::strcmp(encoding, "ascii") == 0 ? 2 : 0);
     for (size_t n = 0; n < longest; ++n) {
       const auto path = scratch.write(encoding + std::to_string(n) + ".ply", whole.substr(0, n));

@@ -175,7 +175,7 @@ TEST(PtrbReader, SpooledPipeIsCheckedBeforeAnythingIsDrawn) {
   }
 }
 
-// A pipe of any length that holds nothing: the header, then the same triangle again and again.
+// An endless stream without storage: the header, then the same triangle again and again.
 class EndlessBuffer : public std::streambuf {
  public:
   explicit EndlessBuffer(uint64_t triangles)

@@ -201,7 +201,7 @@ TEST(TriReader, CommentsByteOrderMarksAndStrayCarriageReturnsChangeNothing) {
   }
 }
 
-// As README.md states the defaults, with its indentation.
+// The defaults as README.md states them, with its indentation.
 TEST(TriReader, TheReadmesBlockOfStateIsRead) {
   const Scratch scratch;
   const auto opened = open_text(
@@ -339,7 +339,7 @@ TEST(TriReader, CountsVerticesWhoseColoursWouldNeedPerspective) {
   EXPECT_EQ(opened.source->counters().perspective, 1u);
   ASSERT_EQ(notes(opened).size(), 1u);
   EXPECT_NE(notes(opened)[0].find("1 vertices with W"), std::string::npos);
-  // Nothing to say where the design interpolates with it, or does not interpolate.
+  // No note where the design interpolates with perspective, or does not interpolate.
   const auto corrected = open_scene(spec::contract(*spec::find_design("persp")), path, {});
   all_triangles(corrected.source.get());
   EXPECT_EQ(corrected.source->counters().perspective, 1u);

@@ -30,7 +30,8 @@ TEST(RetireErrors, EarlyAndLateCountAlikeAndTheWorstIsNamed) {
   EXPECT_EQ(errors.p99, 2);  // 198 of 200 are off by no more
 }
 
-// A triangle that only one side drew is off, also behind the last one of the other.
+// A triangle that only one side drew counts as off, also if it comes after the other side's last
+// one.
 TEST(RetireErrors, MissingTriangleIsOff) {
   EXPECT_EQ(retire_errors({5, -1}, {5, 8}).off, 1u);
   EXPECT_EQ(retire_errors({5}, {5, -1, 8}).worst, 2u);

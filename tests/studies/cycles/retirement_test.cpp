@@ -1,4 +1,4 @@
-// Where two sides part, on records made by hand.
+// Finds where two sides first differ, on records made by hand.
 #include "studies/cycles/retirement.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TEST(RetireCycles, LastWriteOfEitherKindCounts) {
 
 TEST(FirstRetireDifference, NoneWhereAllAreAlike) {
   EXPECT_FALSE(first_retire_difference({40, -1, 17}, {40, -1, 17}));
-  // Triangles that wrote nothing at the end are not all known to both sides.
+  // Triangles at the end that wrote nothing may be missing in one of the lists.
   EXPECT_FALSE(first_retire_difference({40}, {40, -1}));
 }
 
@@ -48,7 +48,7 @@ TEST(FirstTokenDifference, NoneWhereAllAreAlike) {
   EXPECT_FALSE(first_token_difference(cycles(), cycles()));
 }
 
-// Each boundary alone, so that no other one can have been found.
+// Each boundary differs alone, so that no other one can be found.
 TEST(FirstTokenDifference, NamesTheUnitBeforeTheBoundary) {
   for (const auto& [boundary, unit] : {std::pair(Boundary::kPrim, "setup"),
                                        {Boundary::kStamp, "traversal"},
@@ -66,7 +66,7 @@ TEST(FirstTokenDifference, NamesTheUnitBeforeTheBoundary) {
   }
 }
 
-// The depth test falls behind, and with it the stamps that wait for it later on.
+// The depth test is late, and holds up stamps afterwards: it is named, not traversal.
 TEST(FirstTokenDifference, LateUnitIsNamedNotTheOneThatItHoldsUp) {
   auto rtl = cycles();
   at(&rtl, Boundary::kDepthWrite) = {40, 44};

@@ -21,7 +21,7 @@ Rgb color_of(float error, uint8_t coverage, const ErrorScale& scale) {
   return {rgb.at(0), rgb.at(1), rgb.at(2)};
 }
 
-// Rec. 709, of the codes: it grows with what the eye sees.
+// Lightness by Rec. 709, of the codes: it grows with perceived brightness.
 double lightness(const Rgb& c) {
   const auto linear = [](int code) { return std::pow(code / 255., 2.2); };
   return .2126 * linear(c[0]) + .7152 * linear(c[1]) + .0722 * linear(c[2]);

@@ -9,7 +9,7 @@
 namespace pineda::studies {
 namespace {
 
-// What a page might fetch from elsewhere or run.
+// Text by which a page would fetch or run something from elsewhere.
 constexpr const char* kForeign[] = {"http", "<script", "<link", "@import", "url(", "<iframe", "//"};
 
 bool stands_alone(const std::string& page) {

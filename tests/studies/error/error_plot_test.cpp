@@ -12,7 +12,7 @@
 namespace pineda::studies {
 namespace {
 
-// How often a text stands in a picture, whole.
+// How often a whole text element stands in a picture.
 int texts(const std::string& svg, const std::string& text) { return count(svg, ">" + text + "<"); }
 
 // Shapes of the legend: a full one and a hollow one of each kind.
@@ -28,7 +28,7 @@ std::vector<std::string> elements(const std::string& svg, const std::string& nam
   return all;
 }
 
-// Elements of that name that say `more`.
+// Elements of that name that contain `more`.
 int markers(const std::string& svg, const std::string& name, const std::string& more) {
   const auto all = elements(svg, name);
   return static_cast<int>(std::count_if(all.begin(), all.end(), [&](const std::string& element) {

@@ -24,7 +24,7 @@ std::vector<std::string> words(const std::string& line) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-// Does each line have something that ends where the head `name`, the n-th of it, ends?
+// Does each line have an entry that ends in the column in which the n-th head `name` ends?
 bool is_aligned(const Lines& lines, const std::string& name, int n, const std::string& subject) {
   size_t at = lines[1].find(name);
   for (int i = 1; i < n; ++i) at = lines[1].find(name, at + 1);

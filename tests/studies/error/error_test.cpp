@@ -1,4 +1,4 @@
-// The measurement of speed against error: right on what is known, and able to see faults.
+// The measurement of speed against error: right on known cases, and able to see faults.
 #include "studies/error/error.h"
 
 #include <gtest/gtest.h>
@@ -92,7 +92,7 @@ TEST(ErrorStudy, EveryDesignHoldsAndTheExactOneIsNearestEverywhere) {
   EXPECT_GT(subject(study, "low").depth.misrounded(), .05);
 }
 
-// A fault in the coordinates that a design gets is seen as samples missing and too many.
+// A fault in a design's input coordinates shows as missing and extra samples.
 TEST(ErrorStudy, OneSubpixelToTheRightBreaksTheCoverage) {
   auto triangles = some_triangles(60);
   for (auto& t : triangles) {
@@ -107,7 +107,7 @@ TEST(ErrorStudy, OneSubpixelToTheRightBreaksTheCoverage) {
   EXPECT_GT(study.subjects[0].extra, 0u);
 }
 
-// And one in its depth as a broken bound.
+// A fault in its depth shows as a broken bound.
 TEST(ErrorStudy, OneCodeTooFarBreaksTheBound) {
   auto triangles = some_triangles(20);
   for (auto& t : triangles) {
@@ -122,7 +122,7 @@ TEST(ErrorStudy, OneCodeTooFarBreaksTheBound) {
   EXPECT_FALSE(study.holds());
 }
 
-// Two triangles through each other: by mean depth the painter puts one in front everywhere.
+// Two triangles that intersect: by mean depth the painter puts one in front everywhere.
 TEST(ErrorStudy, PainterIsJudgedByTheFrameItLeaves) {
   const std::array<Point, 3> p{{{0, 0}, {90 * 256, 0}, {0, 70 * 256}}};
   const std::vector<SceneTriangle> triangles{scene_triangle(p, {.1f, .9f, .5f}, 0),

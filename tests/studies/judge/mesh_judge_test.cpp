@@ -1,4 +1,4 @@
-// Meshes judged from clip space: what the front end draws is right, and its old faults are seen.
+// Meshes judged from clip space: the front end draws them right, and its former faults are seen.
 #include "studies/judge/mesh_judge.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,8 @@ TEST(MeshJudge, FlatColourIsTheFirstVertexsAlsoWhereClippingCutsItAway) {
   EXPECT_GT(j.samples, 500u);
 }
 
-// The mutant: the pieces' own colours, as they are without a word about shading.
+// The mutant: each clipped piece is coloured by its own first vertex, since the shading is not
+// stated.
 TEST(MeshJudge, SeesFlatColoursOfCutCorners) {
   const Shot shot = near_shot();
   Shot smooth = shot;
@@ -84,7 +85,7 @@ TEST(MeshJudge, SeesAGuardBandThatIsAPixelTooNarrow) {
   EXPECT_EQ(j.first->x, 255);
 }
 
-// Wide angles at a small guard band: after snapping, a piece of the clipped polygon turns over.
+// A wide angle at a small guard band: after snapping, one piece of the clipped polygon turns over.
 Shot turned_shot() {
   Mesh mesh =
       mesh_of({{1, -1, -1}, {1, 1, 1}, {1, -1, 1}}, std::vector<scene::Rgba>(3, {9, 9, 9, 255}));
@@ -133,7 +134,7 @@ TEST(MeshJudge, NoSampleOfATriangleIsHitTwiceWhateverSnappingTurnsOver) {
   EXPECT_EQ(fan.first->y, 56);
 }
 
-// The mutant: cut as a fan, a concave polygon's outside is hit, some of it twice.
+// The mutant: cut as a fan, a concave polygon hits samples outside, some of them twice.
 TEST(MeshJudge, TakesTheFilesPolygonNotTheReadersTriangles) {
   const std::vector<scene::Vec3> arrow = {
       {-1.2, -1.3, 0}, {0, -.4, 0}, {1.2, -1.3, 0}, {0, 1.5, 0}};
@@ -154,7 +155,7 @@ TEST(MeshJudge, TakesTheFilesPolygonNotTheReadersTriangles) {
   }
 }
 
-// The mutant: a polygon's triangles with colours of their own.
+// The mutant: a polygon's triangles each have their own flat colour.
 TEST(MeshJudge, PolygonHasOneFlatColourAlsoInTrianglesThatDoNotTouchItsFirstVertex) {
   Shot shot = shot_of(polygon_mesh({{-1.5, 1.5, 0},
                                     {-1.5, -1.5, 0},

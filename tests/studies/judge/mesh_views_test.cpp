@@ -1,4 +1,4 @@
-// Meshes judged from clip space from wherever a camera stands.
+// Meshes judged from clip space, from many camera positions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -61,7 +61,8 @@ TEST(MeshJudge, PolygonsThatAreNotPlaneAreJudgedByTheirTrianglesAndCounted) {
   EXPECT_EQ(j.faces, 2u);
 }
 
-// Snapping can turn a thin triangle of a polygon over: then samples on its diagonals are hit again.
+// Snapping can turn a thin triangle of a polygon over: samples on its diagonals may then be hit
+// twice.
 TEST(MeshJudge, SamplesOnADiagonalOfAPolygonMayBeHitByBothOfItsTrianglesAndNoOthers) {
   const Shot shot = shot_of(polygon_mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}), 97, 97);
   const scene::ClipMesh seen = shot.seen();
@@ -86,7 +87,7 @@ TEST(MeshJudge, SamplesOnADiagonalOfAPolygonMayBeHitByBothOfItsTrianglesAndNoOth
   EXPECT_EQ(judge_with(48, 40), "hits: 2, expected 1");
 }
 
-/// So many random cameras: 50, or as PINEDA_CAMERAS says.
+/// The number of random cameras: 50, or as PINEDA_CAMERAS says.
 int cameras() {
   const char* wanted = std::getenv("PINEDA_CAMERAS");
   return wanted != nullptr ? std::atoi(wanted) : 50;

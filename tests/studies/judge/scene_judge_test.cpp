@@ -1,4 +1,4 @@
-// The judge of a whole scene: right about the exact model, and able to see each kind of fault.
+// The judge of a whole scene: it finds no fault in the exact model, and each kind of planted fault.
 #include "studies/judge/scene_judge.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ TEST(SceneJudge, ScissorFlatShadingAndUnwrittenDepthAreTheFrames) {
   EXPECT_EQ(j.max_color_lsb, 0);
 }
 
-// A scene states a depth, each design has its own code of it.
+// A scene states a cleared depth; each design has its own code for it.
 TEST(SceneJudge, EachDesignClearsToItsOwnCode) {
   for (const float z : {0.f, .3f, .5f, 1.f}) {
     for (const auto func : {spec::DepthFunc::kLequal, spec::DepthFunc::kGreater}) {
@@ -125,7 +125,8 @@ TEST(SceneJudge, SeesAnotherTriangleInFront) {
   EXPECT_EQ(judged(scene_of({far, near}, frame_of(8, 8)), none).other_winner, 0u);
 }
 
-// Colours are affine in the default design: out of bounds where w differs, as the judge says.
+// The default design interpolates colours affinely: where w differs they break the limit, and the
+// judge says so.
 TEST(SceneJudge, ColoursAreJudgedWithPerspective) {
   scene::ScreenTriangle t = half_square(1, 1, 30, .5f, kRed);
   t.v[2].rgba = kBlue;

@@ -1,5 +1,5 @@
-// Debian's assimp-testmodels, made to be hard to read: each is drawn right or refused in one line,
-// and has the triangles that assimp finds in it, or the table says why not.
+// Debian's assimp-testmodels, which are hard to read: each is drawn right or refused in one line,
+// and has as many triangles as assimp finds in it, or the table says why not.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -26,7 +26,7 @@ constexpr const char* kRefused = "refused";
 struct Row {
   std::string ours;               // triangles, or "refused"
   std::set<std::string> assimps;  // the same, one for each version of assimp that differs
-  std::string why;                // they differ
+  std::string why;                // why they differ
 };
 
 std::map<std::string, Row> table() {
@@ -48,7 +48,7 @@ std::map<std::string, Row> table() {
   return rows;
 }
 
-/// Every file that a reader of ours is for, by its path from kModels.
+/// All files in a format that we read, by their paths from kModels.
 std::vector<std::string> models() {
   std::vector<std::string> all;
   for (const auto& entry : fs::recursive_directory_iterator(kModels)) {
@@ -61,7 +61,7 @@ std::vector<std::string> models() {
   return all;
 }
 
-/// Triangles, or "refused"; the picture is judged.
+/// The number of triangles, or "refused"; the picture is judged.
 std::string drawn(const std::string& path) {
   const auto contract = spec::contract(spec::kHighTile);
   scene::Options options;

@@ -1,4 +1,4 @@
-// The smallest design on a scene: it holds by another judge's path, and nothing smaller does.
+// The smallest design of a scene: it holds by an independent judge, and nothing smaller does.
 #include "studies/needs/needs.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(Needs, TeapotKeepsFewerBitsInAtLeastFourParametersAndHolds) {
   EXPECT_EQ(needs.design.attributes, 3);  // alpha is the same everywhere
   EXPECT_LT(needs.cost.total(), .7 * static_cast<double>(needs.base_cost.total()));
 
-  // As the program reads it back, from its snapped vertices.
+  // Read back from its file, and judged from its snapped vertices.
   const spec::Design read = spec::parse_design(spec::design_toml(needs.design), "teapot");
   const spec::Contract contract = spec::contract(read);
   scene::Options options;
@@ -79,9 +79,9 @@ TEST(Needs, DepthIsKeptWhereItDecides) {
 }
 
 TEST(Needs, DepthBitsTellTheLeastGapApart) {
-  // The second pair is a fifth of a code of 20 bits apart; drawn from the far one on, it needs to
-  // be told apart: not at 20 bits, however values are rounded. The first pair, drawn from the near
-  // one on, keeps the depth test.
+  // The second pair is a fifth of a 20-bit code apart and drawn far to near, so its depths must
+  // differ: in 20 bits they do not, however values are rounded. The first pair, drawn near to far,
+  // keeps the depth test.
   const auto z = [](double codes) { return static_cast<float>(codes * 0x1p-20); };
   const Needs needs = find_needs(
       scene_of({half_square(0, 0, 8, .25f, kRed), half_square(0, 0, 8, .5f, kBlue),
@@ -133,7 +133,7 @@ TEST(Needs, PerspectiveIsAddedWhereColoursNeedIt) {
   EXPECT_FALSE(find_needs(scene_of({t}, frame_of(32, 32)), {}).design.perspective);
 }
 
-// What cannot be held is said, not approached.
+// Limits that cannot be held are reported; no near miss is returned.
 TEST(Needs, NothingIsFoundWithinLimitsThatTheBaseBreaks) {
   NeedsOptions options;
   options.color_lsb = .4;
@@ -142,7 +142,8 @@ TEST(Needs, NothingIsFoundWithinLimitsThatTheBaseBreaks) {
   EXPECT_NE(needs.of_start.broken(needs.limits).find("colour"), std::string::npos);
 }
 
-// A bias that brings the far triangle to the front decides what is seen; it is in the base's codes.
+// The bias brings the far triangle to the front, so it decides what is seen; it is in the base's
+// codes.
 TEST(Needs, DepthBiasKeepsItsFormat) {
   scene::ScreenTriangle tilted = half_square(0, 0, 16, .25f, kRed);
   tilted.v[1].z = .5f;

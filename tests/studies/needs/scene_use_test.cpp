@@ -16,7 +16,7 @@ SceneUse use_of(const scene::Scene& scene, Winners* winners = nullptr) {
   return scene_use(scene, kContract, winners != nullptr ? winners : &unused);
 }
 
-// The half square has 28 samples: the eight on the hypotenuse, a right edge, are not its own.
+// The half square has 28 samples: the eight on the hypotenuse, a right edge, do not belong to it.
 TEST(SceneUse, CountsOverlapAndTheLeastGap) {
   std::vector<scene::ScreenTriangle> triangles{half_square(0, 0, 8, .5f, kRed),
                                                half_square(0, 0, 8, .25f, kRed),
@@ -36,7 +36,7 @@ TEST(SceneUse, CountsOverlapAndTheLeastGap) {
   EXPECT_EQ(winners[15], 0u);
 }
 
-// Reversed z, and a triangle that lies where depth is cleared to: equal to it, however depths are
+// Reversed z, and a triangle at the cleared depth, which must count as equal however depths are
 // snapped.
 TEST(SceneUse, DepthsAreComparedWithWhatTheFrameIsClearedTo) {
   const auto winner = [](spec::DepthFunc func, float clear, std::vector<float> depths) {
@@ -90,7 +90,7 @@ TEST(SceneUse, RangesAreThoseOfWhatIsDrawn) {
   EXPECT_EQ(use.depth_low, .125);
   EXPECT_EQ(use.depth_high, .5);
   EXPECT_EQ(use.dropped[static_cast<size_t>(core::Drop::kOutside)], 1u);
-  EXPECT_EQ(use.guard_bits, 9);  // 504 px: what is outside must be known to be
+  EXPECT_EQ(use.guard_bits, 9);  // 504 px: positions outside the frame count, too
 }
 
 TEST(SceneUse, GuardBitsHoldTheFrameAndBothEndsOfTheBand) {
@@ -137,7 +137,7 @@ TEST(SceneUse, ScissorLeavesNothingOutside) {
   EXPECT_EQ(use_of(scene_of({half_square(0, 0, 14, .5f, kRed)}, frame)).samples, 4u);
 }
 
-// Every row in one band, whatever the triangle; whole rows of tiles.
+// Every row is in one band, whatever the triangle; bands are whole rows of tiles.
 TEST(Bands, PartitionTheRows) {
   const scene::Scene scene = scene_of(
       {half_square(-9, 3, 700, .5f, kRed), half_square(5, 30, 2, .5f, kRed)}, frame_of(16384, 512));

@@ -1,5 +1,5 @@
 // The derived bounds against the worst triangles that a directed search finds: never exceeded, and
-// approached, so that they say something.
+// approached, so that they are tight.
 #include "model/spec/bounds.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST_P(Bound, BeforeTheRoundingHoldsAndIsApproached) {
   }
 }
 
-// The search is worth its name: it finds far more than as many random triangles of the same size.
+// The search is useful: it finds far larger errors than as many random triangles of the same size.
 TEST(BoundSearch, FindsMoreThanChanceDoes) {
   const spec::Contract c = spec::contract(spec::kHighTile);
   constexpr int kGuard = 1 << 22;

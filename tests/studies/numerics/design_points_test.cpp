@@ -24,7 +24,7 @@ TEST(DesignPoints, EachCoversTheRightSamplesOfSixClassesWithinItsBounds) {
     EXPECT_EQ(p.wrong_samples, 0u) << p.design.name;
     EXPECT_TRUE(p.broken.empty()) << p.design.name << ": " << p.broken.front();
     EXPECT_GT(p.samples, 500000u);
-    // Rounding alone: that much was measured.
+    // Final rounding alone gives this error, so enough was measured.
     EXPECT_GE(p.max_depth_ulp, p.design.depth_test ? .49 : 0);
   }
 }
@@ -87,7 +87,7 @@ TEST(ReciprocalSchemes, BothRadicesGiveTheNearestMantissa) {
   EXPECT_EQ(reciprocal_error(radix2, 1 << 16).area2, reciprocal_error(radix4, 1 << 16).area2);
 }
 
-// The search sees a scheme that is worse than it should be: one Newton step less.
+// The search sees a scheme that is too coarse: here a Newton step is missing.
 TEST(ReciprocalSchemes, MissingNewtonStepIsSeen) {
   spec::Design d = spec::kHighTile;
   const double bound = spec::reciprocal_error_bound(d);

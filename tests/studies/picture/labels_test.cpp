@@ -33,7 +33,7 @@ testing::AssertionResult are_apart(const std::vector<Label>& labels, const Boxes
   return testing::AssertionSuccess();
 }
 
-// As a plot has them: 21 points, two thirds of them in two clusters, one of those in a corner.
+// Points as a plot has them: 21, two thirds of them in two clusters, one of which is in a corner.
 std::vector<Label> clustered() {
   std::vector<Label> labels;
   for (int i = 0; i < 21; ++i) {

@@ -56,7 +56,7 @@ TEST(HeatMap, TilePaysFromTheAcceptanceBeforeToItsStamps) {
 TEST(HeatMap, StampsAndSlotsNeedNotTakeTurns) {
   HeatMap map(kContract, kFrame, {});
   map.slot(Fifo::kStamps, 9, 10);
-  map.slot(Fifo::kTiles, 9, 99);  // not a stamp's
+  map.slot(Fifo::kTiles, 9, 99);  // a slot of another FIFO than the stamps'
   map.slot(Fifo::kStamps, 10, 40);
   map.stamp(9, stamp_at(0, 0));
   map.stamp(10, stamp_at(19, 11));
@@ -73,7 +73,7 @@ TEST(HeatMap, WindowLeavesOutWhatLiesOutside) {
   EXPECT_EQ(map.total(), 15);
 }
 
-// All tiles together pay for the time up to the last acceptance, whatever the stamps.
+// The tiles' cycles add up to the time of the last acceptance, whatever the stamps.
 TEST(HeatMap, TilesAddUpToTheLastAcceptance) {
   HeatMap map(kContract, kFrame, {});
   Cycle accepted = 5;

@@ -1,4 +1,4 @@
-// What units and FIFOs report, put together.
+// Joining what units and FIFOs report.
 #include "studies/seeing/spans.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The waveform of unit states: its values, and that both kinds of file hold them.
+// The waveform of unit states: its values, and that VCD and FST files both hold them.
 #include "studies/seeing/state_trace.h"
 
 #include <gtest/gtest.h>
@@ -78,7 +78,7 @@ void take_bits(void* user, uint64_t cycle, fstHandle handle, const unsigned char
   take_text(user, cycle, handle, value, static_cast<uint32_t>(std::string(text).size()));
 }
 
-// As GTKWave reads it: with the library that it has for that.
+// Reads an FST file with the library that GTKWave uses.
 Values read_fst(const std::string& path) {
   void* file = fstReaderOpen(path.c_str());
   if (file == nullptr) return {};
@@ -206,7 +206,7 @@ TEST_F(StateTraceFiles, FstOfNothingCanBeRead) {
   EXPECT_EQ(values.at("pineda.setup.state"), "0=starved ");
 }
 
-// The mutant: an FST file that lost its end is none.
+// The mutant: an FST file that lost its end is refused.
 TEST_F(StateTraceFiles, CutFstIsNotTakenForTheWhole) {
   StateTrace trace({}, true);
   feed(&trace);

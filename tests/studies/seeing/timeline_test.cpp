@@ -17,8 +17,8 @@ using timing::Cycle;
 using timing::Fifo;
 using timing::Unit;
 
-// What is wrong with it as a file of trace events whose slices lie side by side in each lane, and
-// whose triangles' causes add up; empty: nothing.
+// What is wrong with a file of trace events: slices of a lane must not overlap, and the causes of a
+// triangle must add up. Empty: nothing.
 std::string fault(const Json& file) {
   std::map<int, Cycle> ends;
   for (const Json& e : file.at("traceEvents")) {
@@ -85,7 +85,8 @@ std::string levels(const Json& file, const std::string& fifo) {
   return text;
 }
 
-// Tiles of two triangles: the first is tested, waits for room, is starved within, goes on.
+// Tiles of two triangles: the first one is tested, waits for room, is starved meanwhile, and goes
+// on.
 void feed_tiles(timing::Listener* to) {
   for (Cycle cycle = 4; cycle < 8; ++cycle)
     to->spent(Unit::kTiles, Cause::kBusy, cycle, cycle + 1, 5);
@@ -157,7 +158,7 @@ TEST(Timeline, FullDiskIsNotSilent) {
   std::fclose(full);
 }
 
-// The mutants: each must be found by the check that the files above pass.
+// The mutants: the check that the files above pass must find each of them.
 TEST(Timeline, PlantedFaultsAreFound) {
   const Json good = timeline({}, feed_tiles);
   const auto slice = [&](Json* file) -> Json& {

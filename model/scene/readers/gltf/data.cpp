@@ -29,7 +29,7 @@ std::string read_bytes(const std::string& file) {
   std::string all;
   std::error_code none;
   const auto size = std::filesystem::file_size(file, none);
-  if (!none) {  // a pipe or a device has none, and need not end
+  if (!none) {  // a pipe or a device has no size and may be endless
     check_size(size);
     all.reserve(size + kBlock);
   }
@@ -52,10 +52,10 @@ uint32_t u32(std::string_view bytes, size_t at) {
 
 struct Chunks {
   std::string_view json;
-  std::optional<std::string_view> binary;  // the second one, if it is of that type
+  std::optional<std::string_view> binary;  // the second chunk, if its type is BIN
 };
 
-// Of a GLB whose chunks fill it.
+// The chunks of a GLB, which must fill the file.
 Chunks chunks_of(const std::string& file, std::string_view bytes) {
   constexpr size_t kFirst = kHeaderBytes + kChunkHeaderBytes;
   if (bytes.size() < kFirst) throw InputError(file, "expected the header of a GLB and of a chunk");
@@ -134,7 +134,7 @@ std::string GltfData::load(size_t i, const GltfBuffer& buffer) const {
   return std::move(*bytes);
 }
 
-// Nothing but files: reading a pipe or a device need not end.
+// Only regular files are read: a pipe or a device may be endless.
 std::string GltfData::load_file(const std::string& where, const std::string& uri,
                                 size_t bytes) const {
   const std::string name = percent_decoded(uri);

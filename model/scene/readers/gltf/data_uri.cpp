@@ -41,7 +41,7 @@ std::optional<std::string> base64_decoded(std::string_view text) {
   std::string bytes;
   bytes.reserve(text.size() / 4 * 3 + 2);
   uint32_t bits = 0;
-  int held = 0;  // how many of them are not written yet
+  int held = 0;  // number of bits not written yet
   for (const char c : text) {
     const int8_t digit = kDigits[static_cast<unsigned char>(c)];
     if (digit == kNoDigit) return {};

@@ -121,7 +121,7 @@ GltfMaterial read_material(const JsonPlace& place) {
   return material;
 }
 
-// Whatever is wrong with a camera is only said when somebody wants to look through it.
+// Reads a camera. An error in it is stored, and only reported if that camera is used.
 class CameraReader {
  public:
   CameraReader(const Json& json, std::string name) : json_(json), name_(std::move(name)) {}
@@ -147,7 +147,7 @@ class CameraReader {
     if (find("zfar") != nullptr) camera_.far = far();
   }
 
-  // The frame's aspect wins, so that xmag has nothing to say. A negative one would mirror.
+  // xmag is only checked: the aspect ratio is the frame's. A negative one would mirror the picture.
   void orthographic() {
     kind_ = "orthographic";
     camera_.is_orthographic = true;
@@ -159,7 +159,7 @@ class CameraReader {
 
   double far() { return number("zfar", camera_.near, "a distance beyond znear"); }
 
-  // A number above `bound`.
+  // A number that must be above `bound`; 1 if it is not.
   double number(const char* key, double bound, const char* expected) {
     const Json* value = find(key);
     const bool fits = value != nullptr && value->is_number() && value->get<double>() > bound;
@@ -174,7 +174,7 @@ class CameraReader {
     return value == lens->end() ? nullptr : &*value;
   }
 
-  // The first thing that is wrong stays.
+  // Keeps the first error only.
   void fail(const std::string& key, const char* expected, const Json& got) {
     if (!camera_.wrong.empty()) return;
     const std::string shown = got.is_null()     ? "none"

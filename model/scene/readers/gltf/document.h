@@ -1,4 +1,4 @@
-// The parts of a glTF file that the reader uses, each of its type.
+// The parts of a glTF file that the reader uses, as C++ structs.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace pineda::scene {
 
-enum class GltfType {  // of a component, as the file numbers them
+enum class GltfType {  // component type, by its number in the file
   kI8 = 5120,
   kU8 = 5121,
   kI16 = 5122,
@@ -30,7 +30,7 @@ struct GltfAccessor {
   std::optional<int> view;  // none: zeros
   size_t offset = 0, count = 0;
   int component_type = 0;
-  int columns = 0;  // 1: SCALAR, 3: VEC3, ...; 0: a type that there is not
+  int columns = 0;  // 1: SCALAR, 3: VEC3, ...; 0: unknown type
   bool is_normalized = false;
   std::optional<GltfSparse> sparse;
 };
@@ -49,7 +49,7 @@ struct GltfPrimitive {
   std::optional<int> position, normal, color, indices, material;
   int mode = 4;
   bool has_targets = false;
-  bool is_draco = false;  // KHR_draco_mesh_compression holds its triangles too
+  bool is_draco = false;  // also has its triangles in KHR_draco_mesh_compression
 };
 
 struct GltfNode {
@@ -68,15 +68,15 @@ struct GltfMaterial {
 struct GltfCamera {
   bool is_orthographic = false;
   double yfov = 0;  // radians, the full angle
-  double ymag = 0;  // half of the height that an orthographic one sees
+  double ymag = 0;  // half the height of an orthographic one's view
   double near = 0;
   std::optional<double> far;  // none: infinite
-  std::string wrong;          // why it cannot be used, with its place; empty: it can
+  std::string wrong;          // why it cannot be used, with its place; else empty
 };
 
 struct GltfDocument {
   std::optional<int> scene;
-  std::vector<std::vector<int>> scenes;  // their nodes
+  std::vector<std::vector<int>> scenes;  // root nodes of each scene
   std::vector<GltfNode> nodes;
   std::vector<std::vector<GltfPrimitive>> meshes;
   std::vector<GltfAccessor> accessors;
@@ -88,10 +88,10 @@ struct GltfDocument {
   std::vector<std::string> extensions;  // used or required, each once
 };
 
-/// In       the JSON of a glTF 2.0 file; its texts are moved out.
-/// Out      indices between the parts are not checked. A camera that is wrong says so itself.
+/// In       the JSON of a glTF 2.0 file; its strings are moved from.
+/// Out      indices of other parts are not checked. For an invalid camera GltfCamera::wrong is set.
 /// Errors   InputError with the place: another version, a required extension that changes what is
-///          drawn, or a property the reader uses that is not of its type.
+///          drawn, or a property that the reader uses and that is of a wrong type.
 GltfDocument read_document(const std::string& file, Json* json);
 
 }  // namespace pineda::scene

@@ -15,7 +15,7 @@ constexpr const char* kCompressed = "compressed triangles are not read";
 constexpr const char* kInstances = "instances are left out";
 
 struct Row {
-  const char* name;  // "KHR_materials_*": all that begin like that
+  const char* name;  // a trailing '*' stands for any ending: "KHR_materials_*"
   GltfEffect effect;
   const char* reason;
 };

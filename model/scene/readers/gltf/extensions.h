@@ -1,4 +1,4 @@
-// What each extension of glTF means for a reader of triangles.
+// How the reader treats each glTF extension.
 #pragma once
 
 #include <string>
@@ -6,17 +6,17 @@
 namespace pineda::scene {
 
 enum class GltfEffect {
-  kRead,     // done as it says
-  kIgnored,  // leaves the triangles where they are
-  kRefused,  // changes what is drawn, or may do so
+  kRead,     // supported
+  kIgnored,  // does not change the positions of triangles
+  kRefused,  // changes what is drawn, or may change it
 };
 
 struct GltfExtension {
   GltfEffect effect;
-  const char* reason;  // what a note or a refusal says of it
+  const char* reason;  // text for a note or an error message
 };
 
-/// Of an extension that nobody here knows: kRefused.
+/// How an extension is treated; one that is not in the table is kRefused.
 GltfExtension gltf_extension(const std::string& name);
 
 }  // namespace pineda::scene

@@ -11,7 +11,7 @@
 namespace pineda::scene {
 namespace {
 
-constexpr int kDeepest = 64;  // the format itself needs 8
+constexpr int kDeepest = 64;  // greatest nesting depth; the format itself needs 8
 constexpr const char* kIndex = "an integer from 0 to 2147483647";
 
 bool is_index(const Json& value) {

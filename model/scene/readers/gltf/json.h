@@ -1,4 +1,4 @@
-// The JSON of a glTF file, read by type, with the place of each value for a message.
+// Typed access to the JSON of a glTF file; error messages name the place of a value.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,16 +14,16 @@ using Json = nlohmann::json;
 /// Errors   InputError: no JSON (with the line), or values nested more than 64 deep.
 Json parse_json(const std::string& file, std::string_view text);
 
-/// An object of the file and where it stands: "meshes[0].primitives[2]", composed when a message
-/// needs it. A place must outlive those made from it.
+/// A JSON object and its place in the file, such as "meshes[0].primitives[2]", which is only
+/// composed for a message. A JsonPlace must outlive those made from it.
 ///
-/// Errors   InputError, "PLACE.KEY: expected ...": a value that is there and not of its type.
+/// Errors   InputError, "PLACE.KEY: expected ...": a value that is present but of a wrong type.
 class JsonPlace {
  public:
   JsonPlace(const std::string& file, Json* root);
 
   std::string name(const std::string& key = {}) const;
-  /// The value, whatever it is; nullptr if there is none.
+  /// The value of a key, of any type; nullptr if there is none.
   Json* find(const char* key) const;
   [[noreturn]] void fail(const std::string& key, const std::string& expected) const;
 
@@ -38,15 +38,15 @@ class JsonPlace {
       visit(element);
     }
   }
-  /// The length of an array of anything.
+  /// The length of an array, whatever its elements; 0 if there is none.
   size_t size(const char* key) const;
-  /// From 0 to 2^31 - 1, as everything that counts, points at something or is an offset.
+  /// An integer from 0 to 2^31 - 1: a count, an index or an offset.
   std::optional<int> index(const char* key) const;
   int required_index(const char* key) const;
-  /// 0 if there is none.
+  /// The same as a size; 0 if there is none.
   size_t size_value(const char* key) const;
   std::vector<int> indices(const char* key) const;
-  /// `count` of them, or none.
+  /// An array of exactly `count` numbers; empty if there is none.
   std::vector<double> numbers(const char* key, size_t count) const;
   std::vector<std::string> strings(const char* key) const;
 

@@ -9,7 +9,7 @@
 namespace pineda::scene {
 namespace {
 
-// The last row of a column-major matrix must say that it is affine.
+// Converts a column-major matrix; false if it is not affine, which its last row tells.
 bool from_matrix(const std::vector<double>& m, Affine* local) {
   for (size_t row = 0; row < 3; ++row) {
     for (size_t column = 0; column < 3; ++column) local->linear[row][column] = m[4 * column + row];
@@ -34,7 +34,7 @@ class Graph {
       : file_(file), document_(document), is_seen_(document.nodes.size()) {}
 
   std::vector<PlacedNode> place() {
-    // A stack of our own: a chain of nodes may be as long as the file allows.
+    // An explicit stack instead of recursion, since node chains may be very long.
     struct Waiting {
       int node;
       Affine parent;
@@ -121,7 +121,7 @@ Vec3 Affine::point(const Vec3& p) const {
 }
 
 Vec3 Affine::normal(const Vec3& n) const {
-  // The cofactors are the inverse transposed matrix times the determinant.
+  // The cofactor matrix is the inverse transposed matrix times the determinant.
   const Vec3 turned = {dot(cross(linear[1], linear[2]), n), dot(cross(linear[2], linear[0]), n),
                        dot(cross(linear[0], linear[1]), n)};
   return normalized(determinant() < 0 ? -1 * turned : turned);

@@ -30,7 +30,7 @@ Vec3 read_vector(const GltfView& view, size_t row) {
   return {view.value(row, 0), view.value(row, 1), view.value(row, 2)};
 }
 
-// The vertices of one primitive, numbered as they are first used.
+// Builds the mesh of one primitive, with vertices in the order of their first use.
 class Builder {
  public:
   Builder(const GltfView& position, const std::optional<GltfView>& normal, const Affine& world)
@@ -48,14 +48,15 @@ class Builder {
   }
   void add(const std::array<uint32_t, 3>& triangle) { part_.triangle.push_back(triangle); }
   void add_provoking(uint32_t vertex) { part_.provoking.push_back(vertex); }
-  /// The corners of a strip or fan as the file states them, all of them known vertices.
+  /// Adds the corner list of a strip or fan as the file states it; all corners were added before.
   void add_list(const std::vector<uint32_t>& corners, MeshPolygon::Kind kind, bool is_mirrored) {
     for (const uint32_t i : corners) part_.corner.push_back(known_.at(i));
     part_.polygon.push_back({0, static_cast<uint32_t>(corners.size()), 0,
                              static_cast<uint32_t>(part_.triangle.size()), kind, is_mirrored});
   }
 
-  /// The part, all its normals made where the file has none; how many of the file's were none.
+  /// The finished mesh. Normals that the file lacks, or that are no directions, are computed; the
+  /// latter are counted.
   Mesh finish(uint64_t* bad_normals) {
     *bad_normals += bad_normals_.size();
     if (normal_ && bad_normals_.empty()) return std::move(part_);
@@ -132,7 +133,8 @@ Mesh GltfPrimitiveReader::read(const Place& place, const Affine& world) {
     std::array<uint32_t, 3> triangle;
     for (size_t k = 0; k < 3; ++k) triangle[k] = builder.vertex(corners[at[k]], color);
     builder.add(triangle);
-    // The first vertex of triangle i is (3.7.2.1) the one behind the hub, whichever way it turns.
+    // By 3.7.2.1 the first vertex of a fan's triangle i is the one after the hub. Mirroring has
+    // swapped it to place 2.
     if (topology == Topology::kFan) builder.add_provoking(triangle[is_mirrored ? 2 : 1]);
   }
   if (topology == Topology::kStrip) {

@@ -1,4 +1,4 @@
-// One primitive of a glTF mesh as triangles in world space.
+// Reads one primitive of a glTF mesh as triangles in world space.
 #pragma once
 
 #include <array>
@@ -15,14 +15,14 @@
 
 namespace pineda::scene {
 
-/// None for points and lines.
+/// How a primitive's corners make triangles; nothing for points and lines.
 std::optional<Topology> topology_of(const GltfPrimitive& primitive);
 
-/// What is said of the whole file, counted while its primitives are read.
+/// Counts for messages about the whole file, made while its primitives are read.
 struct GltfCounts {
-  uint64_t textures = 0, morphs = 0;  // primitives
-  uint64_t clamped = 0;               // components of colours
-  uint64_t normals = 0;               // that are no directions
+  uint64_t textures = 0, morphs = 0;  // primitives that have them
+  uint64_t clamped = 0;               // components of colours outside [0, 1]
+  uint64_t normals = 0;               // normals that are no directions
   bool has_vertex_colors = false;
   bool has_base_colors = false;  // other than white
 };
@@ -41,17 +41,17 @@ class GltfPrimitiveReader {
 
   struct Size {
     size_t triangles = 0;
-    bool costs_bytes = true;  // their corners stand in the file
+    bool costs_bytes = true;  // their corners are stored in the file, not implied
   };
-  /// Without reading any vertex.
+  /// Determines the size without reading any vertex.
   Size size(const Place& place) const;
 
-  /// Every vertex that a triangle uses, once, in the order in which the triangles name them.
+  /// Reads the primitive. The mesh has each used vertex once, in the order of first use.
   Mesh read(const Place& place, const Affine& world);
 
  private:
   using Linear = std::array<double, 4>;  // a colour
-  // What a primitive's vertices are made of.
+  // Where the data of a primitive's vertices come from.
   struct Source {
     std::optional<GltfView> position, normal, color;
     Linear base;

@@ -14,8 +14,8 @@
 namespace pineda::scene {
 namespace {
 
-constexpr size_t kGreatest = size_t{1} << 25;      // triangles, and primitives
-constexpr size_t kGreatestZero = size_t{1} << 18;  // triangles whose corners cost no bytes
+constexpr size_t kGreatest = size_t{1} << 25;      // most triangles, and most primitives
+constexpr size_t kGreatestZero = size_t{1} << 18;  // most triangles without bytes in the file
 
 class Reader {
  public:
@@ -46,7 +46,7 @@ class Reader {
  private:
   using Place = GltfPrimitiveReader::Place;
 
-  // Of a node that is drawn; none of another.
+  // The primitives of a node; nullptr if it has no mesh or is not visible.
   const std::vector<GltfPrimitive>* primitives_of(const PlacedNode& placed) const {
     if (!placed.node->mesh || !placed.is_visible) return nullptr;
     const auto at = static_cast<size_t>(*placed.node->mesh);
@@ -57,7 +57,7 @@ class Reader {
     return &meshes[at];
   }
 
-  // Those of triangles.
+  // Visits the primitives of a node that consist of triangles.
   template <class Visit>
   void for_each_primitive(const PlacedNode& placed, Visit&& visit) {
     const auto* primitives = primitives_of(placed);
@@ -69,7 +69,8 @@ class Reader {
     }
   }
 
-  // Before the first triangle is made, since a few bytes can ask for billions.
+  // Checks the size before any triangle is made, since a few bytes can ask for billions of
+  // triangles.
   void check_size(const std::vector<PlacedNode>& nodes) {
     size_t primitives = 0, triangles = 0, zero = 0;
     for (const PlacedNode& placed : nodes) {
@@ -122,7 +123,7 @@ class Reader {
     }
   }
 
-  // None at all as long as every triangle's is its first corner.
+  // Appends the provoking vertices. The list stays empty as long as all are first corners.
   void append_provoking(const Mesh& part, uint32_t first) {
     if (part.provoking.empty() && mesh_.provoking.empty()) return;
     if (mesh_.provoking.empty()) {
@@ -163,7 +164,7 @@ class Reader {
   std::vector<std::string>* warnings_;
   Mesh mesh_;
   uint64_t others_ = 0;              // primitives of points or lines
-  uint64_t hidden_ = 0, skins_ = 0;  // nodes
+  uint64_t hidden_ = 0, skins_ = 0;  // nodes that are hidden, that have a skin
 };
 
 }  // namespace

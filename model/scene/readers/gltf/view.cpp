@@ -70,12 +70,12 @@ double full_scale(GltfType type) {
   }
 }
 
-// Values that lie `stride` bytes apart in a view.
+// The layout of values in a buffer view.
 struct Layout {
   std::string where;  // for a message: "accessors[3]"
   int view;
   size_t offset, rows, row_bytes;
-  size_t stride = 0;  // of the view; 0: side by side
+  size_t stride = 0;  // bytes from row to row; 0: tightly packed
 };
 
 const char* bytes_of(GltfData* data, Layout* layout) {
@@ -169,7 +169,7 @@ size_t GltfView::Sparse::row(size_t i) const {
 
 const char* GltfView::row(size_t row) const {
   if (sparse_) {
-    size_t first = 0, end = sparse_->count;  // of the indices that may be `row`
+    size_t first = 0, end = sparse_->count;  // binary search among the indices
     while (first < end) {
       const size_t middle = first + (end - first) / 2;
       const size_t found = sparse_->row(middle);

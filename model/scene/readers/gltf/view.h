@@ -9,11 +9,12 @@
 
 namespace pineda::scene {
 
-/// Zeros where the accessor has no bufferView; sparse values stand in place of those below.
+/// The values of an accessor: zeros if it has no bufferView; sparse values replace those of the
+/// view.
 ///
 /// Errors   InputError, "accessors[3]: ..." or "bufferViews[1]: ...": an index out of range, bytes
-///          outside of the view or the buffer, a component type that there is not, no values,
-///          sparse indices that do not rise or are no values.
+///          outside the view or the buffer, an unknown component type, no values, sparse indices
+///          that do not increase or are out of range.
 class GltfView {
  public:
   GltfView(GltfData* data, int accessor);
@@ -24,12 +25,13 @@ class GltfView {
   bool is_float() const { return type_ == GltfType::kF32; }
   bool is_signed() const { return type_ == GltfType::kI8 || type_ == GltfType::kI16; }
   bool is_normalized() const { return is_normalized_; }
-  /// All of it is zero but for sparse values: its rows cost the file no bytes.
+  /// True without a bufferView: the rows, all zero but for sparse values, take no bytes in the
+  /// file.
   bool has_no_bytes() const { return bytes_ == nullptr; }
 
-  /// As it is stored; normalized integers as 0 to 1 or -1 to 1.
+  /// A component as it is stored; normalized integers become 0 to 1 or -1 to 1.
   double value(size_t at, int column) const;
-  /// Of an unsigned type.
+  /// The value of a row as an index; the type must be unsigned.
   uint32_t index(size_t row) const;
 
  private:

@@ -114,7 +114,7 @@ TEST(GltfCamera, ParentsTurnItAndScaleMirrorsAndShearDoNotChangeThePicture) {
   const std::array<double, 4> expected = {.5, 2, 9 / 8., 2};
   expect_clip(view_with(kPerspective, {{"scale", {.5, 7, 1e-3}}}), seen, expected);
   expect_clip(view_with(kPerspective, {{"scale", {-1, 1, 1}}}), seen, expected);
-  // +Y leans along the view and to the side of it: it gives way where it leans along.
+  // +Y is tilted along the view direction, which is taken out; +X is skewed, which has no effect.
   expect_clip(
       view_with(kPerspective, {{"matrix", {9, 1, 0, 0, 0, 1, 5, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}), seen,
       expected);

@@ -49,10 +49,10 @@ TEST(GltfExtension, ThoseThatChangeItAndThoseThatNobodyKnowsAreRefusedByName) {
         "KHR_materials", "KHR_texture", "XXX_materials_KHR_materials_", ""}) {
     const std::string part = "extensionsRequired: expected none that changes what is drawn, got '";
     EXPECT_TRUE(is_one_line_with(error_with("extensionsRequired", {name}), part + name + "' ("));
-    // Also behind one that is no trouble.
+    // Also when it is listed behind a harmless one.
     EXPECT_TRUE(is_one_line_with(error_with("extensionsRequired", {"KHR_materials_unlit", name}),
                                  part + name + "' ("));
-    // Where it is used only, the file says that it can be read without.
+    // An extension that is only used, not required, can be ignored by a reader.
     EXPECT_EQ(error_with("extensionsUsed", {name}), "");
   }
 }

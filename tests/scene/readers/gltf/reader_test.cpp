@@ -50,7 +50,7 @@ TEST(GltfReader, TrianglesStripsAndFansAreCutAsTheSpecificationSays) {
   }
 }
 
-// The vertices whose colour a flat triangle has; none: the first corners.
+// The provoking vertices, whose colours flat triangles have; if none are stated, the first corners.
 std::vector<int> provoking_of(const Mesh& mesh) {
   std::vector<int> all;
   for (const uint32_t i : mesh.provoking) all.push_back(static_cast<int>(mesh.position[i][0]));
@@ -169,7 +169,7 @@ TEST(GltfReader, MirroredNodesKeepTheirOutsideOutside) {
   const Vec3 slanted = mesh.normal[mesh.triangle[0][1]];
   const Vec3 expected = normalized({-.3, 0, .8});
   for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(slanted[k], expected[k], 1e-7);
-  // Two mirrors are none.
+  // Two mirrorings cancel.
   file.json["nodes"][0]["scale"] = {-2, -1, 1};
   EXPECT_EQ(corners_of(read(file)), (Corners{{{{0, 0, 0}, {-2, 0, 0}, {0, -1, 0}}}}));
 }

@@ -154,7 +154,7 @@ TEST(GltfRefused, WhatIsNoJsonNamesTheLine) {
   EXPECT_TRUE(is_one_line_with(error_of(infinite), "expected JSON with numbers in the range"));
 }
 
-// Each nested value costs the library a call on the stack.
+// The library recurses once for each level of nesting.
 TEST(GltfRefused, DeepValuesDoNotReachTheLibrary) {
   const Scratch scratch;
   const auto nested = [&](size_t depth) {
@@ -194,7 +194,7 @@ TEST(GltfRefused, AFewBytesCannotAskForBillionsOfTriangles) {
                                "expected at most 33554432 triangles"));
 }
 
-// Whatever they are made of: each costs a step for each node.
+// A few bytes cannot ask for billions of primitives, of any kind: each costs a step for each node.
 TEST(GltfRefused, AFewBytesCannotAskForBillionsOfPrimitives) {
   const Scratch scratch;
   GltfFile file = square();
@@ -212,7 +212,7 @@ TEST(GltfRefused, AFewBytesCannotAskForBillionsOfPrimitives) {
                                "expected at most 33554432 primitives"));
 }
 
-// A file with holes: nothing of it is read.
+// The file is sparse; nothing of it is read.
 TEST(GltfRefused, AFileOfFourGibibytes) {
   const Scratch scratch;
   const auto path = scratch.write("large.glb", square().glb());
