@@ -24,7 +24,7 @@ struct JudgeSink {
     });
   }
 
-  void hit_mesh(uint32_t triangle, const judge::Drawn& drawn) {
+  void hit_mesh(uint32_t triangle, const judge::Drawn& drawn) const {
     studies::MeshHit hit{drawn.x, drawn.y, triangle, static_cast<uint32_t>(drawn.z), {}};
     std::copy_n(drawn.attr.begin(), hit.color.size(), hit.color.begin());
     mesh->hit(hit);

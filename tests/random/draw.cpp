@@ -246,7 +246,8 @@ Trial random_trial(const spec::Design& design, uint64_t seed, const std::string&
   trial.bench.seed = random.bits() >> 32;
   Random kind(~seed);  // not `random`: a scene depends on its seed alone
   if (one_in(&kind, 3)) {
-    trial.memory = kind.between(0, 1) == 1 ? memory::Kind::kDram : memory::Kind::kDramMerged;
+    constexpr auto kLast = static_cast<int>(memory::kKinds.size()) - 1;
+    trial.memory = memory::kKinds[static_cast<size_t>(kind.between(1, kLast))];  // 0 is ideal
   }
   if (one_in(&random, 4)) {
     static constexpr const char* kBuiltIn[] = {"triangle", "grid", "layers", "random/screen"};

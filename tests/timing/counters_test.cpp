@@ -1,6 +1,7 @@
 // The table of counters: each counter is in it once, with its own name and place.
 #include "model/timing/counted/counters.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -108,7 +109,8 @@ TEST(CounterTable, IsTheOneInTheDocument) {
   for (std::string line; std::getline(document, line);) {
     if (line.rfind("| `", 0) == 0) got.push_back(line);
   }
-  EXPECT_EQ(got, expected);
+  EXPECT_EQ(got, expected) << "docs/counters.md should have\n"
+                           << fmt::format("{}", fmt::join(expected, "\n"));
 }
 
 TEST(CounterTable, DesignWithoutDepthHasNoRtlBehindItsDepthPorts) {

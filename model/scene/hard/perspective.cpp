@@ -32,12 +32,12 @@ Corners shape(Drawing& d, int kind) {
   }
 }
 
-// Triangles whose greatest w is `kRatio` times the least one, at any scale; the third w is close to
+// Triangles whose greatest w is `Ratio` times the least one, at any scale; the third w is close to
 // the least, random, or close to the greatest. Every fourth triangle spans the whole range of each
 // colour.
-template <int kRatio>
+template <int Ratio>
 std::vector<ScreenTriangle> ratio() {
-  Drawing d(30 + kRatio);
+  Drawing d(30 + Ratio);
   for (int i = 0; i < 30; ++i) {
     const auto p = shape(d, i % 6);
     std::array<ScreenVertex, 3> v;
@@ -46,9 +46,9 @@ std::vector<ScreenTriangle> ratio() {
     const int kind = d.random().between(0, 2);
     v[0].w = scale;
     v[1].w = scale * (kind == 0   ? d.random().uniform(1, 2)
-                      : kind == 1 ? d.random().uniform(1, kRatio)
-                                  : d.random().uniform(.5f, 1) * kRatio);
-    v[2].w = scale * kRatio;
+                      : kind == 1 ? d.random().uniform(1, Ratio)
+                                  : d.random().uniform(.5f, 1) * Ratio);
+    v[2].w = scale * Ratio;
     if (i % 4 == 0) {
       v[0].rgba = {0, 255, 0, 255};
       v[1].rgba = {255, 0, 128, 0};
