@@ -1,19 +1,15 @@
 // pineda study cycles: the cycle model against the RTL, cycles and speed of both.
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "cli/report/study_cycles_report.h"
+#include "cli/study_scenes.h"
 #include "cli/triangles.h"
 #include "tb/bench_top.h"
 
 namespace pineda::cli {
 namespace {
 
-constexpr const char* kBunny = "bunny";
-constexpr int kBunnyGuardBits = 11;  // 2^11 px, for 1920x1080
-constexpr const char* kDefaultScenes[] = {"bunny", "teapot", "random/px1", "random/px1000",
-                                          "random/screen"};
 constexpr const char* kNoStalls = spec::name_of(memory::StallMode::kNone);
 constexpr const char* kIdeal = spec::name_of(memory::Kind::kIdeal);
 constexpr int kLatencies[] = {1, 8, 64};
@@ -25,7 +21,7 @@ struct CyclesOptions : Options {
   std::vector<int> latencies;  // of an ideal memory
   std::vector<std::string> stalls;
   std::vector<std::string> compilers;
-  std::string bunny = "/usr/share/glmark2/models/bunny.obj";
+  std::string bunny = kBunnyFile;
   int runs = 5;
   bool all = false;
   bool one_by_one = false;  // memories without stalls, then stalls at ideal memory
@@ -47,28 +43,6 @@ CyclesOptions filled_in(CyclesOptions o) {
   }
   if (o.compilers.empty()) o.compilers = tb::bench_compilers();
   return o;
-}
-
-/// The scenes to draw; the default one that lies in a file is left out where the file is not.
-std::vector<std::string> scenes_of(const CyclesOptions& o, std::vector<std::string>* left_out) {
-  if (!o.scenes.empty()) return o.scenes;
-  std::vector<std::string> scenes;
-  for (const char* name : kDefaultScenes) {
-    const bool there = name != std::string(kBunny) || std::filesystem::exists(o.bunny);
-    (there ? scenes : *left_out).emplace_back(name);
-  }
-  return scenes;
-}
-
-scene::Scene open_named(const CyclesOptions& o, const std::string& name,
-                        const spec::Contract& contract) {
-  CyclesOptions one = o;
-  one.scene = name == kBunny ? o.bunny : name;
-  // The bunny at 1920x1080 if the design's frames are large enough, else at the size of other
-  // meshes.
-  const bool fits = contract.design.guard_bits >= kBunnyGuardBits;
-  if (name == kBunny && o.size.empty() && fits) one.size = "1920x1080";
-  return open(one, contract, false);
 }
 
 /// Memory and stalls of some rows.
@@ -117,7 +91,8 @@ class Table {
     // Errors in the options are reported before anything is drawn.
     for (const std::string& design : o_.designs) {
       parts_of(design);
-      for (const auto& name : scenes) open_named(o_, name, contract_of(with(design, {})));
+      for (const auto& name : scenes)
+        open_study_scene(o_, o_.bunny, name, contract_of(with(design, {})));
     }
     for (const std::string& design : o_.designs) {
       for (const Part& part : parts_of(design)) run(with(design, part), scenes);
@@ -158,7 +133,7 @@ class Table {
   CycleRow row(const CyclesOptions& one, const spec::Contract& contract,
                const std::string& name) const {
     Progress progress(one);
-    const scene::Scene scene = open_named(one, name, contract);
+    const scene::Scene scene = open_study_scene(one, one.bunny, name, contract);
     const auto triangles = load_all(scene.source.get(), &progress);
     progress.update(name.c_str(), triangles.size());
     studies::CycleOptions options;
@@ -200,7 +175,7 @@ int run(const CyclesOptions& given) {
   const CyclesOptions options = filled_in(given);
   const Output output(options);
   std::vector<std::string> left_out;
-  const auto scenes = scenes_of(options, &left_out);
+  const auto scenes = study_scenes(options.scenes, options.bunny, &left_out);
   const std::vector<CycleRow> rows = Table(options, output).run(scenes);
 
   const CycleMeans means = means_of(rows);
@@ -257,9 +232,10 @@ void add_cycles_study(CLI::App* study, int* exit_code) {
       ->type_name("MODE");
   command->add_flag(
       "--all", options->all,
-      "Every design with latencies 1, 8 and 64 (or its longest), with dram and dram_merged, and "
-      "with every stall at its own latency: an hour; unless given. If --memory, --latency or "
-      "--stall is: each memory under each stall");
+      "Every design with latencies 1, 8 and 64 (or its longest), with every other memory, and with "
+      "every stall at its own latency: an hour; unless given. If --memory, --latency or --stall "
+      "is: "
+      "each memory under each stall");
   command->add_option("--runs", options->runs, "Speed is the median of so many; 0: cycles alone")
       ->check(CLI::Range(0, 1000))
       ->type_name("N")

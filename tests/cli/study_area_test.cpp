@@ -1,0 +1,145 @@
+// pineda study area, as another program drives it.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "tests/cli/program.h"
+
+namespace pineda::test {
+namespace {
+
+// The smallest there is: a pixel a stamp, no depth, a flat colour.
+constexpr const char* kDesign = R"(base = "flat"
+guard_bits = 8
+subpixel_bits = 4
+stamp_width_px = 1
+stamp_height_px = 1
+attribute_bits = 4
+flat_attributes = 1
+)";
+
+bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+constexpr const char* kMissing = "Yosys, OpenSTA or the cells of osu018 are not here";
+
+bool can_measure() {
+  const auto on_path = [](const char* tool) {
+    return std::system((std::string("command -v ") + tool + " > /dev/null").c_str()) == 0;
+  };
+  return on_path("yosys") && on_path("sta") &&
+         std::filesystem::exists("/usr/share/qflow/tech/osu018");
+}
+
+class StudyArea : public testing::Test {
+ protected:
+  void SetUp() override { setenv("PINEDA_CACHE", scratch_.path("cache").c_str(), 1); }
+  void TearDown() override { unsetenv("PINEDA_CACHE"); }
+
+  Outcome study(Arguments more) const {
+    more.insert(more.begin(), {"study", "area"});
+    return pineda(more);
+  }
+
+  Scratch scratch_;
+  std::string design_ = scratch_.write("smallest.toml", kDesign);
+};
+
+TEST_F(StudyArea, OfASmallDesignAddsUpAndIsKept) {
+  if (!can_measure()) GTEST_SKIP() << kMissing;
+  const Arguments arguments{"--design", design_,    "--clock",   "8000",
+                            "--scene",  "triangle", "--size",    "64x48",
+                            "--json",   "-",        "--picture", scratch_.path("area.svg")};
+  const Outcome run = study(arguments);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(has(run.err, "pineda: mapping ")) << run.err;
+  const Json json = run.json();
+  EXPECT_EQ(json.at("technology"), "osu018");
+  EXPECT_EQ(json.at("design"), "smallest");
+  EXPECT_EQ(json.at("clocks_ps"), Json::array({8000}));
+  const double area = json.at("area_um2");
+  EXPECT_GT(area, 100'000);
+  EXPECT_LE(json.at("area_without_memory_um2").get<double>(), area);
+  EXPECT_GT(json.at("flip_flops"), 500);
+  double of_units = 0, of_modules = 0;
+  double slowest = 0;
+  for (const auto& [name, unit] : json.at("units").items()) {
+    of_units += unit.at("area_um2").get<double>();
+    if (unit.contains("slowest_path")) {
+      slowest = std::max(slowest, unit.at("slowest_path").at("ps").get<double>());
+    }
+  }
+  for (const Json& module : json.at("modules")) of_modules += module.at("area_um2").get<double>();
+  EXPECT_NEAR(of_units, area, 1e-6 * area);
+  EXPECT_NEAR(of_modules, area, 1e-6 * area);
+  for (const char* unit : {"setup", "traversal", "interp_ztest"}) {
+    EXPECT_GT(json.at("units").at(unit).at("fmax_mhz"), 20) << unit;
+    EXPECT_GT(json.at("units").at(unit).at("flip_flops"), 20) << unit;
+  }
+  // The top's path is at least that of its slowest unit, but for loads on the unit's outputs.
+  EXPECT_GT(json.at("slowest_path").at("ps").get<double>(), .9 * slowest);
+  const Json& scene = json.at("scenes").at("triangle");
+  EXPECT_NEAR(scene.at("triangles_per_second").get<double>(),
+              1e6 * json.at("fmax_mhz").get<double>() / scene.at("cycles").get<double>(), 1);
+  EXPECT_TRUE(has(read_bytes(scratch_.path("area.svg")), "u_setup.u_style"));
+
+  // Nothing is run again, and nothing else comes out.
+  const Outcome again = study(arguments);
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_FALSE(has(again.err, "mapping")) << again.err;
+  EXPECT_EQ(again.json(), json);
+}
+
+TEST_F(StudyArea, RefusesWhatItCannotMeasure) {
+  EXPECT_TRUE(is_refused(study({"--technology", "tsmc5"}), "expected asap7, osu018, sg13g2 or"));
+  EXPECT_TRUE(is_refused(study({"--technology", "asap7"}), "--liberty: expected the Liberty file"));
+  EXPECT_TRUE(is_refused(study({"--technology", scratch_.path("none.toml")}), "cannot read it"));
+  EXPECT_TRUE(is_refused(study({"--liberty", scratch_.write("bad.lib", "module m;\n")}),
+                         "bad.lib:1: expected library (NAME) {"));
+  EXPECT_TRUE(is_refused(study({"--liberty", scratch_.path("")}), "cannot read it"));
+  EXPECT_TRUE(is_refused(study({"--design", "exact"}), "exact"));
+  EXPECT_TRUE(is_refused(study({"--design", "bigger"}), "bigger"));
+  EXPECT_TRUE(is_refused(study({"--picture", "area.png"}), ".svg"));
+  EXPECT_TRUE(is_refused(study({"--designs", "low,high", "--picture", scratch_.path("x.svg")}),
+                         "--picture: expected one design"));
+  EXPECT_TRUE(is_refused(study({"--clock", "0"}), "--clock"));
+  EXPECT_TRUE(is_refused(study({"--scene", "nowhere"}), "nowhere"));
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path("cache")));
+}
+
+TEST_F(StudyArea, SaysWhichCellIsMissing) {
+  if (!can_measure()) GTEST_SKIP() << kMissing;
+  // The only flip-flop allowed has no reset.
+  const std::string simple = scratch_.write("simple.toml", R"(process = "simple"
+driving_cell = "BUFX2"
+load_ff = 30
+first_clock_ps = 8000
+flip_flops = ["DFFPOSX1"]
+)");
+  const std::string cells = "/usr/share/qflow/tech/osu018/osu018_stdcells.lib";
+  const Outcome run = study({"--design", design_, "--technology", simple, "--liberty", cells});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_TRUE(has(run.err, "simple.toml: expected cells for gates, and flip-flops with low resets"))
+      << run.err;
+
+  // No gate has a delay.
+  const std::string no_gates = scratch_.write("gates.lib", R"lib(library (gates) {
+  time_unit : "1ns"; capacitive_load_unit (1, pf);
+  cell (INV) { area : 1; }
+  cell (DFF) { area : 5; ff (IQ, IQN) { next_state : "D"; clocked_on : "C"; }
+    pin (D) { direction : input; } pin (C) { direction : input; clock : true; }
+    pin (Q) { direction : output; function : "IQ"; } }
+})lib");
+  const std::string gates = scratch_.write("gates.toml", R"(process = "gates"
+driving_cell = "INV"
+load_ff = 3
+first_clock_ps = 1000
+flip_flops = ["DFF"]
+)");
+  const Outcome other = study({"--design", design_, "--technology", gates, "--liberty", no_gates});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_TRUE(has(other.err, "gates.toml: expected cells for gates")) << other.err;
+}
+
+}  // namespace
+}  // namespace pineda::test
