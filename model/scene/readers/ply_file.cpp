@@ -14,6 +14,12 @@
 namespace pineda::scene {
 namespace {
 
+// An element's name in a message: as it is if it is short, else shortened and in quotes.
+std::string shown(const std::string& name) {
+  constexpr size_t kLongest = 40;
+  return name.size() <= kLongest ? name : quoted(name);
+}
+
 struct TypeRow {
   const char* short_name;
   const char* long_name;
@@ -150,13 +156,14 @@ void PlyFile::begin(const PlyElement& element, uint64_t i) {
   number_ = i;
   next_word_ = 0;
   if (encoding_ == Encoding::kAscii && !lines_.next()) {
-    lines_.fail(fmt::format("{} {} of {}", element.name, i, element.count), "");
+    lines_.fail(fmt::format("{} {} of {}", shown(element.name), i, element.count), "");
   }
 }
 
 void PlyFile::end() const {
   if (encoding_ == Encoding::kAscii && next_word_ != lines_.words().size()) {
-    lines_.fail(fmt::format("the {} words of a {}", next_word_, element_->name), lines_.raw());
+    lines_.fail(fmt::format("the {} words of a {}", next_word_, shown(element_->name)),
+                lines_.raw());
   }
 }
 
@@ -179,7 +186,7 @@ uint64_t PlyFile::list_size(PlyType type) {
 
 double PlyFile::word(PlyType type) {
   if (next_word_ == lines_.words().size()) {
-    lines_.fail(fmt::format("more words of a {}", element_->name), lines_.raw());
+    lines_.fail(fmt::format("more words of a {}", shown(element_->name)), lines_.raw());
   }
   const char* text = lines_.words()[next_word_];
   const char* text_end = lines_.end_of_word(next_word_++);

@@ -271,6 +271,12 @@ TEST_P(PlyRefusal, NamesTheLineAndWhatWasExpected) {
   EXPECT_TRUE(is_one_line_with(error_of(path), path + GetParam().message));
 }
 
+/// A header with an element before the vertices.
+std::string odd(const std::string& name, int count) {
+  return kAscii + "element " + name + " " + std::to_string(count) + "\nproperty int b\n" + kVertex +
+         kFace + "end_header\n";
+}
+
 std::string face(const std::string& corners) { return kHead + kCorners + corners + "\n"; }
 
 // A little-endian file of one vertex of 12 bytes, then a face.
@@ -324,6 +330,9 @@ const std::vector<Refusal> kRefusals = {
      ": expected faces, got none"},
     {"FewerVertices", kHead + "0 0 0\n1 0 0\n", ":11: expected vertex 2 of 4"},
     {"FewerFaces", kHead + kCorners, ":13: expected face 0 of 1"},
+    {"ElementWithAnUnprintableName", odd("a\x10\xff", 2) + "1\n", ":12: expected a?? 1 of 2"},
+    {"ElementWithALongName", odd(std::string(50, 'n'), 1) + "1 2\n",
+     ":12: expected the 1 words of a 'nnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnn...'"},
     {"TwoCoordinates", kHead + "0 0\n", ":10: expected more words of a vertex, got '0 0'"},
     {"FourCoordinates", kHead + "0 0 0 1\n", ":10: expected the 3 words of a vertex"},
     {"BadNumber", kHead + "0 0 z\n", ":10: expected a number, got 'z'"},
