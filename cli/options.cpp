@@ -241,9 +241,9 @@ scene::Scene open(const Options& o, const spec::Contract& contract, bool multi_p
 
 int latency_of(const Options& o, const spec::Contract& contract) {
   const int cycles = o.latency_cycles.value_or(contract.design.depth_latency_cycles);
-  const int longest = contract.design.max_depth_latency_cycles;
-  if (cycles < 1 || cycles > longest) {
-    throw UsageError(fmt::format("--latency: expected 1 to {}, got {}", longest, cycles));
+  if (cycles < 1 || cycles > spec::kMaxDepthLatencyCycles) {
+    throw UsageError(
+        fmt::format("--latency: expected 1 to {}, got {}", spec::kMaxDepthLatencyCycles, cycles));
   }
   return cycles;
 }

@@ -27,7 +27,8 @@ package pineda_pkg;
   localparam int unsigned BIAS_CONSTANT_BITS        = 25; // the constant
   localparam int unsigned BIAS_FRACTION_BITS        = 16; // fraction of the bias
   localparam int unsigned DEPTH_BIAS_BITS           = 42; // the bias, saturated
-  localparam int unsigned INFLIGHT_STAMPS           = 72; // stamps between read issued and write accepted
+  localparam int unsigned INFLIGHT_STAMPS           = 24; // stamps between read issued and write accepted
+  localparam int unsigned PLANE_SLOTS               = 8; // tiles whose planes are kept for stamps in flight
   localparam int unsigned ATTRIBUTES                = 4; // interpolated attributes
   localparam int unsigned ATTR_BITS                 = 8; // one attribute
   localparam int unsigned ATTRIBUTE_CYCLES          = 1; // from the depth test to the colours
@@ -156,6 +157,7 @@ package pineda_pkg;
     logic        [12:0]          x; // u13 stamp
     logic        [12:0]          y; // u13 stamp
     logic        [3:0]           mask; // u4 lane
+    logic        [0:0]           first; // u1
     logic signed [33:0]          z_dx; // sQ25.8 code/px
     logic signed [33:0]          z_dy; // sQ25.8 code/px
     logic signed [33:0]          z_ref; // sQ25.8 code
@@ -164,7 +166,7 @@ package pineda_pkg;
     logic        [71:0]          attr_dy; // sQ9.8 LSB/px, 4 of them, the first lowest
     logic        [71:0]          attr_ref; // sQ9.8 LSB, 4 of them, the first lowest
   } stamp_t;
-  localparam int unsigned STAMP_BITS = ID_BITS + 390;
+  localparam int unsigned STAMP_BITS = ID_BITS + 391;
 
   typedef struct packed {
     logic        [ID_BITS-1:0]   id; // number of the triangle

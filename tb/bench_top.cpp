@@ -42,10 +42,9 @@ BenchTop::~BenchTop() {
 
 void BenchTop::load(const spec::FrameState& frame, const std::vector<spec::Triangle>& triangles,
                     int depth_latency_cycles) {
-  const int longest = contract_.design.max_depth_latency_cycles;
-  if (depth_latency_cycles < 1 || depth_latency_cycles > longest) {
-    throw RtlError(
-        fmt::format("depth latency is {} cycles, must be 1 to {}", depth_latency_cycles, longest));
+  if (depth_latency_cycles < 1 || depth_latency_cycles > spec::kMaxDepthLatencyCycles) {
+    throw RtlError(fmt::format("depth latency is {} cycles, must be 1 to {}", depth_latency_cycles,
+                               spec::kMaxDepthLatencyCycles));
   }
   depth_latency_cycles_ = depth_latency_cycles;
   buffer_ = core::FrameBuffer(contract_, frame);

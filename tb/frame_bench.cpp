@@ -15,12 +15,10 @@ struct FrameBench::Progress {
   FrameResult result;
 };
 
-std::shared_ptr<MemoryTiming> memory_of(const BenchOptions& options,
-                                        const spec::Contract& contract) {
+std::shared_ptr<MemoryTiming> memory_of(const BenchOptions& options) {
   if (options.memory) return options.memory;
   try {
-    return std::make_shared<memory::IdealTiming>(options.depth_latency_cycles,
-                                                 contract.design.max_depth_latency_cycles);
+    return std::make_shared<memory::IdealTiming>(options.depth_latency_cycles);
   } catch (const std::invalid_argument& error) {
     throw RtlError(error.what());
   }
@@ -39,7 +37,7 @@ FrameBench::FrameBench(const RtlLibrary& library, const BenchOptions& options)
       prims_(unit_, "prim"),
       stamps_(unit_, "stamp"),
       counters_(unit_),
-      memory_(unit_, memory_of(options, unit_.contract())) {
+      memory_(unit_, memory_of(options)) {
   if (unit_.contract().design.depth_test) clear_depth_ = unit_.port("clear_depth_o");
   reset();
 }

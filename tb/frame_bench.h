@@ -15,9 +15,8 @@ struct BenchOptions {
   uint64_t seed = 0;
 };
 
-/// The memory of a bench. Throws RtlError if the design cannot keep up with its latency.
-std::shared_ptr<MemoryTiming> memory_of(const BenchOptions& options,
-                                        const spec::Contract& contract);
+/// The memory of a bench. Throws RtlError if its latency is out of range.
+std::shared_ptr<MemoryTiming> memory_of(const BenchOptions& options);
 
 /// Gives the next triangle of a frame; false at its end.
 using NextTriangle = std::function<bool(spec::Triangle*)>;

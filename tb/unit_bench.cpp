@@ -24,7 +24,7 @@ InterpZtestBench::InterpZtestBench(const RtlLibrary& library, const BenchOptions
       stalls_(options.stall_mode, options.seed),
       stamps_(unit_, "stamp"),
       idle_(unit_.port("idle_o")),
-      memory_(unit_, memory_of(options, unit_.contract())) {
+      memory_(unit_, memory_of(options)) {
   if (unit_.contract().design.depth_test) {
     depth_func_ = unit_.port("depth_func_i");
     depth_write_ = unit_.port("depth_write_i");

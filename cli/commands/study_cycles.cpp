@@ -52,23 +52,18 @@ struct Part {
   std::string stall;
 };
 
-/// Latencies of an ideal memory; with --all, those that the design can keep up with.
-std::vector<std::optional<int>> latencies_of(const CyclesOptions& o, const spec::Design& design) {
+/// Latencies of an ideal memory.
+std::vector<std::optional<int>> latencies_of(const CyclesOptions& o) {
   if (!o.latencies.empty()) return {o.latencies.begin(), o.latencies.end()};
-  if (!o.all) return {std::nullopt};
-  std::vector<std::optional<int>> latencies;
-  for (const int wanted : kLatencies) {
-    const int latency = std::min(wanted, design.max_depth_latency_cycles);
-    if (latencies.empty() || *latencies.back() < latency) latencies.emplace_back(latency);
-  }
-  return latencies;
+  if (o.all) return {std::begin(kLatencies), std::end(kLatencies)};
+  return {std::nullopt};
 }
 
-std::vector<Part> parts_of(const CyclesOptions& o, const spec::Design& design) {
+std::vector<Part> parts_of(const CyclesOptions& o) {
   std::vector<Part> parts;
   for (const std::string& memory : o.memories) {
     std::vector<std::optional<int>> latencies{std::nullopt};
-    if (memory == kIdeal) latencies = latencies_of(o, design);
+    if (memory == kIdeal) latencies = latencies_of(o);
     for (const auto& latency : latencies) {
       for (const std::string& stall : o.stalls) {
         if (!o.one_by_one || stall == kNoStalls) parts.push_back({memory, latency, stall});
@@ -114,7 +109,7 @@ class Table {
     const CyclesOptions any = with(design, {});
     const spec::Contract contract = contract_of(any);
     require_of(any, contract.design, spec::no_rtl_reason);
-    std::vector<Part> parts = cli::parts_of(o_, contract.design);
+    std::vector<Part> parts = cli::parts_of(o_);
     for (const Part& part : parts) latency_of(with(design, part), contract);
     return parts;
   }
@@ -232,7 +227,7 @@ void add_cycles_study(CLI::App* study, int* exit_code) {
       ->type_name("MODE");
   command->add_flag(
       "--all", options->all,
-      "Every design with latencies 1, 8 and 64 (or its longest), with every other memory, and with "
+      "Every design with latencies 1, 8 and 64, with every other memory, and with "
       "every stall at its own latency: an hour; unless given. If --memory, --latency or --stall "
       "is: "
       "each memory under each stall");

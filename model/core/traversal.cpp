@@ -139,6 +139,7 @@ StampWalk::StampWalk(const Contract& contract, const Tile& tile)
 
 void StampWalk::begin(spec::Stamp* stamp) const {
   stamp->id = tile_.id;
+  stamp->first = true;
   stamp->planes = tile_.planes;
   if (contract_.design.perspective) stamp->edge = tile_.edge;
 }

@@ -90,6 +90,7 @@ void for_each_stamp(const spec::Contract& contract, const spec::SetupPrim& prim,
       ++counters->stamps;
       counters->fragments += static_cast<uint64_t>(count_lanes(stamp.mask));
       visit(static_cast<const spec::Stamp&>(stamp));
+      stamp.first = false;
     }
   }
 }

@@ -10,12 +10,13 @@
 namespace pineda::memory {
 
 /// Always ready; a read accepted in cycle t is answered in cycle t + latency.
-/// Errors   a latency outside 1 .. `longest`: std::invalid_argument.
+/// Errors   a latency outside 1 .. spec::kMaxDepthLatencyCycles: std::invalid_argument.
 class IdealTiming final : public MemoryTiming {
  public:
-  IdealTiming(int latency_cycles, int longest) : latency_cycles_(latency_cycles) {
-    if (latency_cycles < 1 || latency_cycles > longest) {
-      throw std::invalid_argument("depth latency: expected 1 to " + std::to_string(longest) +
+  explicit IdealTiming(int latency_cycles) : latency_cycles_(latency_cycles) {
+    constexpr int kLongest = spec::kMaxDepthLatencyCycles;
+    if (latency_cycles < 1 || latency_cycles > kLongest) {
+      throw std::invalid_argument("depth latency: expected 1 to " + std::to_string(kLongest) +
                                   " cycles, got " + std::to_string(latency_cycles));
     }
   }
@@ -29,9 +30,8 @@ class IdealTiming final : public MemoryTiming {
   int latency_cycles_;
 };
 
-inline std::shared_ptr<MemoryTiming> make_ideal(const spec::Contract& contract,
-                                                int latency_cycles) {
-  return std::make_shared<IdealTiming>(latency_cycles, contract.design.max_depth_latency_cycles);
+inline std::shared_ptr<MemoryTiming> make_ideal(const spec::Contract&, int latency_cycles) {
+  return std::make_shared<IdealTiming>(latency_cycles);
 }
 
 }  // namespace pineda::memory

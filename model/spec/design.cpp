@@ -76,7 +76,6 @@ constexpr Design tiny() {
   d.stamp_width_log2 = d.stamp_height_log2 = 0;
   d.prim_fifo_depth = d.stamp_fifo_depth = 2;
   d.tile_fifo_depth = 1;
-  d.max_depth_latency_cycles = 16;
   return d;
 }
 

@@ -82,7 +82,8 @@ struct Design {
   int tile_fifo_depth = 2;            // inside traversal: tile test -> stamps
   int stamp_fifo_depth = 4;           // traversal -> interpolation
   int depth_latency_cycles = 8;       // default of the depth memory, request accepted -> response
-  int max_depth_latency_cycles = 64;  // greatest latency with a full rate of one stamp a cycle
+  int plane_slots = 8;                // tiles whose planes are kept for stamps in flight
+  int max_depth_latency_cycles = 16;  // greatest latency with a full rate of one stamp a cycle
 };
 
 inline constexpr Design kHighTile{};
@@ -90,6 +91,8 @@ inline constexpr Design kHighTile{};
 /// Array bounds of the C++ structs; a design may use less.
 inline constexpr int kMaxAttributes = 16;
 inline constexpr int kMaxLanes = 16;
+/// The longest latency of a depth memory that any design draws with, at its full rate or slower.
+inline constexpr int kMaxDepthLatencyCycles = 1024;
 
 /// Values that setup makes planes of: depth and affine attributes.
 constexpr int plane_count(const Design& d) {

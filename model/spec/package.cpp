@@ -33,6 +33,7 @@ Constants depth_constants(const Contract& c) {
       {"BIAS_FRACTION_BITS", kBiasFractionBits, "fraction of the bias"},
       {"DEPTH_BIAS_BITS", w.depth_bias, "the bias, saturated"},
       {"INFLIGHT_STAMPS", w.inflight_stamps, "stamps between read issued and write accepted"},
+      {"PLANE_SLOTS", d.plane_slots, "tiles whose planes are kept for stamps in flight"},
   };
 }
 

@@ -127,14 +127,17 @@ inline constexpr Parameter kParameters[] = {
      "tiles between tile test and stamp test"},
     {"stamp_fifo_depth", Number{&Design::stamp_fifo_depth, {1}, {1024}}, having::anything, "",
      "stamps between stamp test and interpolation"},
+    {"plane_slots", Number{&Design::plane_slots, {2}, {1024}}, having::depth, "",
+     "tiles whose planes are kept for their stamps in flight"},
     {"depth_latency_cycles",
      Number{&Design::depth_latency_cycles,
             {1},
             {0, "`max_depth_latency_cycles`", most::depth_latency_cycles}},
      having::anything, "cycles", "the depth memory's, by default", 2, having::depth},
-    {"max_depth_latency_cycles", Number{&Design::max_depth_latency_cycles, {1}, {1024}},
-     having::anything, "cycles",
-     "sizes the table of stamps in flight, for a stamp a cycle at that latency", 1, having::depth},
+    {"max_depth_latency_cycles",
+     Number{&Design::max_depth_latency_cycles, {1}, {kMaxDepthLatencyCycles}}, having::anything,
+     "cycles", "sizes the table of stamps in flight, for a stamp a cycle at that latency", 1,
+     having::depth},
 };
 
 /// The row of a key, or of a member that holds a number.

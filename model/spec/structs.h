@@ -119,6 +119,7 @@ struct Stamp {
   uint32_t id = 0;
   int x = 0, y = 0;   // column and row, in stamps
   uint32_t mask = 0;  // bit i: lane i is covered
+  bool first = true;  // of its tile: interpolation keeps its planes for the tile's other stamps
   PlaneSet planes;    // referred to the first sample of the stamp's tile, F' fraction bits
   std::array<EdgeFunction, 3> edge;  // perspective: at the first sample of the stamp's tile
 };

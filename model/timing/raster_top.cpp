@@ -122,7 +122,8 @@ void RasterTop::begin_frame(const spec::FrameState& state, Listener* listener) {
   begun_ = sc_core::sc_time_stamp();
   hierarchical_z_.begin_frame(state);
   if (contract_.design.hierarchical_z) frame_.hierarchical_z = &hierarchical_z_;
-  is_direct_ = listener == nullptr && memory_ && memory_->is_transparent();
+  is_direct_ = listener == nullptr && memory_ && memory_->is_transparent() &&
+               interp_ztest_.keeps_up_with(memory_->fixed_latency());
   frame_.tokens = !is_direct_;
   if (!bits_ && listener == nullptr && memory_) leave_out_bits();
   if (is_direct_) {

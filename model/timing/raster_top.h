@@ -45,7 +45,8 @@ class RasterTop final : public sc_core::sc_module {
   void set_memory_map(const sc_core::sc_time& period, uint64_t depth_base, uint64_t color_base);
 
   // Of memories inside, from the next frame on:
-  /// An ideal memory of a latency of 1 .. design.max_depth_latency_cycles.
+  /// An ideal memory of a latency of 1 .. spec::kMaxDepthLatencyCycles. Beyond the design's
+  /// max_depth_latency_cycles the table of stamps in flight fills up, and the frame is slower.
   void set_depth_latency_cycles(int cycles);
   void set_memory(std::shared_ptr<memory::MemoryTiming> timing) {
     memory_->set_timing(std::move(timing));

@@ -6,7 +6,9 @@
 // Out      depth_wr_o, color_wr_o: the covered samples that pass; nothing if none does. With the
 //          test off, or depth not to be written, colour only.
 // Rate     a stamp a cycle at any read latency up to INFLIGHT_STAMPS - 4 cycles, as long as no
-//          hazard and no port stalls it: a stamp whose address is in flight waits. In flight = from
+//          hazard and no port stalls it and the planes of its tile find a slot: a tile's are kept
+//          until the first stamp of the next tile is loaded into the write register. A stamp whose
+//          address is in flight waits. In flight = from
 //          the read accepted to the depth write accepted, or to the cycle in which that write would
 //          have been offered: time does not depend on depth. A read of the address may be accepted
 //          in the cycle after. Attributes are interpolated where a sample passed, and follow
@@ -67,12 +69,9 @@ module interp_ztest_unit (
   localparam int unsigned TILE_LOG2 = pineda_pkg::TILE_LOG2;
 `endif
 
-  // A stamp that waits for its test: its address and what its colours need
+  // What the colours of all stamps of a tile need, with the triangle's number
   typedef struct packed {
     logic [pineda_pkg::ID_BITS-1:0]      id;
-    logic [pineda_pkg::STAMP_X_BITS-1:0] x;
-    logic [pineda_pkg::STAMP_Y_BITS-1:0] y;
-    logic [LANES-1:0]                    mask;
 `ifdef PINEDA_AFFINE
     logic [pineda_pkg::ATTRIBUTES*pineda_pkg::ATTR_TILE_PLANE_BITS-1:0] attr_dx;
     logic [pineda_pkg::ATTRIBUTES*pineda_pkg::ATTR_TILE_PLANE_BITS-1:0] attr_dy;
@@ -90,28 +89,42 @@ module interp_ztest_unit (
 `ifdef PINEDA_FLAT_ATTRIBUTES
     logic [pineda_pkg::FLAT_ATTRIBUTES*pineda_pkg::ATTR_BITS-1:0] flat;
 `endif
-  } waiting_t;
-  waiting_t waiting, head;
-  assign waiting.id = stamp_i.id;
-  assign waiting.x = stamp_i.x;
-  assign waiting.y = stamp_i.y;
-  assign waiting.mask = stamp_i.mask;
+  } colors_t;
+  colors_t colors_in, colors;
+  assign colors_in.id = stamp_i.id;
 `ifdef PINEDA_AFFINE
-  assign waiting.attr_dx = stamp_i.attr_dx;
-  assign waiting.attr_dy = stamp_i.attr_dy;
-  assign waiting.attr_ref = stamp_i.attr_ref;
+  assign colors_in.attr_dx = stamp_i.attr_dx;
+  assign colors_in.attr_dy = stamp_i.attr_dy;
+  assign colors_in.attr_ref = stamp_i.attr_ref;
 `endif
 `ifdef PINEDA_PERSPECTIVE
-  assign waiting.a = stamp_i.a;
-  assign waiting.b = stamp_i.b;
-  assign waiting.e = stamp_i.e;
-  assign waiting.e_low = stamp_i.e_low;
-  assign waiting.inverse_w = stamp_i.inverse_w;
-  assign waiting.inverse_w_shift = stamp_i.inverse_w_shift;
-  assign waiting.vertex_attr = stamp_i.vertex_attr;
+  assign colors_in.a = stamp_i.a;
+  assign colors_in.b = stamp_i.b;
+  assign colors_in.e = stamp_i.e;
+  assign colors_in.e_low = stamp_i.e_low;
+  assign colors_in.inverse_w = stamp_i.inverse_w;
+  assign colors_in.inverse_w_shift = stamp_i.inverse_w_shift;
+  assign colors_in.vertex_attr = stamp_i.vertex_attr;
 `endif
 `ifdef PINEDA_FLAT_ATTRIBUTES
-  assign waiting.flat = stamp_i.flat;
+  assign colors_in.flat = stamp_i.flat;
+`endif
+
+  // What differs from stamp to stamp
+  typedef struct packed {
+    logic [pineda_pkg::STAMP_X_BITS-1:0] x;
+    logic [pineda_pkg::STAMP_Y_BITS-1:0] y;
+    logic [LANES-1:0]                    mask;
+`ifdef PINEDA_DEPTH
+    logic                                first;
+`endif
+  } place_t;
+  place_t place_in, head;
+  assign place_in.x = stamp_i.x;
+  assign place_in.y = stamp_i.y;
+  assign place_in.mask = stamp_i.mask;
+`ifdef PINEDA_DEPTH
+  assign place_in.first = stamp_i.first;
 `endif
 
   // A stamp is loaded into the write register, from where its depth and its colours leave.
@@ -132,9 +145,9 @@ module interp_ztest_unit (
   assign test = depth_func_i != pineda_pkg::DEPTH_OFF;
 
   // ---- Issue: a stamp enters when no stamp ahead of it can still write what it reads
-  logic hazard, table_full, table_empty, accept, retire;
-  assign depth_rd_valid_o = stamp_valid_i && test && !hazard && !table_full;
-  assign stamp_ready_o = !hazard && !table_full && (!test || depth_rd_ready_i);
+  logic hazard, table_full, table_empty, planes_full, accept, retire;
+  assign depth_rd_valid_o = stamp_valid_i && test && !hazard && !table_full && !planes_full;
+  assign stamp_ready_o = !hazard && !table_full && !planes_full && (!test || depth_rd_ready_i);
   assign accept = stamp_valid_i && stamp_ready_o;
   assign depth_rd_o.id = stamp_i.id;
   assign depth_rd_o.x = stamp_i.x;
@@ -165,30 +178,109 @@ module interp_ztest_unit (
     .remove_i(retire)
   );
 
-  // ---- Depth while the read is under way. The table counts every stamp from here to its write,
-  // and the FIFOs are as deep as the table, so none can be full.
-  logic z_valid, waiting_valid, head_z_valid, rsp_valid;
-  logic waiting_ready, z_ready, rsp_ready;
+  // ---- Planes are kept once for all stamps of a tile. The slot of a tile is free again when the
+  // first stamp of the next one is loaded.
+  localparam int unsigned SLOTS = pineda_pkg::PLANE_SLOTS;
+  localparam int unsigned SLOT_BITS = $clog2(SLOTS);
+  typedef struct packed {
+    logic [pineda_pkg::DEPTH_TILE_PLANE_BITS-1:0] z_dx;
+    logic [pineda_pkg::DEPTH_TILE_PLANE_BITS-1:0] z_dy;
+    logic [pineda_pkg::DEPTH_TILE_PLANE_BITS-1:0] z_ref;
+    logic [pineda_pkg::DEPTH_BIAS_BITS-1:0]       z_bias;
+  } depths_t;
+  depths_t depths_in, depths;
+  assign depths_in.z_dx = stamp_i.z_dx;
+  assign depths_in.z_dy = stamp_i.z_dy;
+  assign depths_in.z_ref = stamp_i.z_ref;
+  assign depths_in.z_bias = stamp_i.z_bias;
+
+  // The slots of the newest tile, of the stamp whose depths are interpolated, of the one that is
+  // loaded: where these were last
+  logic z_start;
+  place_t z_place;
+  logic [SLOT_BITS-1:0] newest_q, z_slot_q, z_slot, head_slot_q, head_slot;
+  function automatic logic [SLOT_BITS-1:0] after(input logic [SLOT_BITS-1:0] slot);
+    after = slot == SLOT_BITS'(SLOTS - 1) ? '0 : slot + SLOT_BITS'(1);
+  endfunction
+  assign z_slot = z_place.first ? after(z_slot_q) : z_slot_q;
+  assign head_slot = head.first ? after(head_slot_q) : head_slot_q;
+  logic [SLOT_BITS-1:0] tiles_q; // whose first stamp is not loaded yet
+  assign planes_full = stamp_i.first && tiles_q == SLOT_BITS'(SLOTS - 1);
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      newest_q <= '0;
+      z_slot_q <= '0;
+      head_slot_q <= '0;
+      tiles_q <= '0;
+    end else begin
+      if (accept && stamp_i.first) newest_q <= after(newest_q);
+      if (z_start) z_slot_q <= z_slot;
+      if (load) head_slot_q <= head_slot;
+      tiles_q <= tiles_q + SLOT_BITS'(accept && stamp_i.first) - SLOT_BITS'(load && head.first);
+    end
+  end
+
+  // Memories of plain vectors: Yosys 0.23 drops one of structs without a word.
+  logic [$bits(depths_in)-1:0] depths_mem [SLOTS];
+  logic [$bits(colors_in)-1:0] colors_mem [SLOTS];
+  always_ff @(posedge clk_i) begin
+    if (accept && stamp_i.first) begin
+      depths_mem[after(newest_q)] <= depths_in;
+      colors_mem[after(newest_q)] <= colors_in;
+    end
+  end
+  assign depths = depths_mem[z_slot];
+  assign colors = colors_mem[head_slot];
+
+  // ---- Stamps on their way to the test, as many as the table counts, so that there is always room.
+  // Depths are interpolated ahead of it.
+  localparam int unsigned AHEAD = 4;
+  localparam int unsigned PTR_BITS = $clog2(INFLIGHT);
+  localparam int unsigned COUNT_BITS = $clog2(INFLIGHT + 1);
+  localparam int unsigned AHEAD_BITS = $clog2(AHEAD + 1);
+  logic [$bits(place_in)-1:0] places_mem [INFLIGHT];
+  logic [PTR_BITS-1:0] newest_place_q, z_place_q, head_place_q;
+  logic [COUNT_BITS-1:0] places_q;  // accepted, their depths not started
+  logic [AHEAD_BITS-1:0] ahead_q;   // their depths started, not loaded
+  function automatic logic [PTR_BITS-1:0] behind(input logic [PTR_BITS-1:0] place);
+    behind = place == PTR_BITS'(INFLIGHT - 1) ? '0 : place + PTR_BITS'(1);
+  endfunction
+  assign z_place = places_mem[z_place_q];
+  assign head = places_mem[head_place_q];
+  assign z_start = places_q != '0 && ahead_q != AHEAD_BITS'(AHEAD);
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      newest_place_q <= '0;
+      z_place_q <= '0;
+      head_place_q <= '0;
+      places_q <= '0;
+      ahead_q <= '0;
+    end else begin
+      if (accept) newest_place_q <= behind(newest_place_q);
+      if (z_start) z_place_q <= behind(z_place_q);
+      if (load) head_place_q <= behind(head_place_q);
+      places_q <= places_q + COUNT_BITS'(accept) - COUNT_BITS'(z_start);
+      ahead_q <= ahead_q + AHEAD_BITS'(z_start) - AHEAD_BITS'(load);
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (accept) places_mem[newest_place_q] <= place_in;
+  end
+
+  logic z_valid, head_z_valid, rsp_valid, z_ready, rsp_ready;
   logic [LANES*Z_BITS-1:0] z, head_z;
   pineda_pkg::depth_data_t stored;
   logic [TILE_LOG2-1:0] tile_x, tile_y; // of the stamp's first sample, from the tile's corner
-  assign tile_x = TILE_LOG2'(stamp_i.x) << pineda_pkg::STAMP_WIDTH_LOG2;
-  assign tile_y = TILE_LOG2'(stamp_i.y) << pineda_pkg::STAMP_HEIGHT_LOG2;
+  assign tile_x = TILE_LOG2'(z_place.x) << pineda_pkg::STAMP_WIDTH_LOG2;
+  assign tile_y = TILE_LOG2'(z_place.y) << pineda_pkg::STAMP_HEIGHT_LOG2;
   depth_interpolator u_depth (
     .clk_i, .rst_ni,
-    .stamp_valid_i(accept),
-    .i_i(tile_x), .j_i(tile_y), .mask_i(stamp_i.mask),
-    .z_dx_i(stamp_i.z_dx), .z_dy_i(stamp_i.z_dy), .z_ref_i(stamp_i.z_ref),
-    .z_bias_i(stamp_i.z_bias),
+    .stamp_valid_i(z_start),
+    .i_i(tile_x), .j_i(tile_y), .mask_i(z_place.mask),
+    .z_dx_i(depths.z_dx), .z_dy_i(depths.z_dy), .z_ref_i(depths.z_ref), .z_bias_i(depths.z_bias),
     .z_valid_o(z_valid), .z_o(z)
   );
-
-  stream_fifo #(.Width($bits(waiting)), .Depth(INFLIGHT)) u_waiting (
-    .clk_i, .rst_ni,
-    .in_valid_i(accept), .in_ready_o(waiting_ready), .in_data_i(waiting),
-    .out_valid_o(waiting_valid), .out_ready_i(load), .out_data_o(head)
-  );
-  stream_fifo #(.Width(LANES*Z_BITS), .Depth(INFLIGHT)) u_z (
+  stream_fifo #(.Width(LANES*Z_BITS), .Depth(AHEAD)) u_z (
     .clk_i, .rst_ni,
     .in_valid_i(z_valid), .in_ready_o(z_ready), .in_data_i(z),
     .out_valid_o(head_z_valid), .out_ready_i(load), .out_data_o(head_z)
@@ -198,7 +290,7 @@ module interp_ztest_unit (
     .in_valid_i(depth_rsp_valid_i), .in_ready_o(rsp_ready), .in_data_i(depth_rsp_i),
     .out_valid_o(rsp_valid), .out_ready_i(load && test), .out_data_o(stored)
   );
-  assign load = waiting_valid && head_z_valid && (rsp_valid || !test) && write_free;
+  assign load = head_z_valid && (rsp_valid || !test) && write_free;
 
   // ---- Depth test: which outcomes of the comparison pass
   logic pass_less, pass_equal, pass_greater;
@@ -278,7 +370,8 @@ module interp_ztest_unit (
 `else
   assign stamp_ready_o = write_free;
   assign load = stamp_valid_i && write_free;
-  assign head = waiting;
+  assign head = place_in;
+  assign colors = colors_in;
   assign passed = head.mask;
   assign write_free = !color_pending_q || colors_ready;
 `endif
@@ -291,7 +384,7 @@ module interp_ztest_unit (
   end
   always_ff @(posedge clk_i) begin
     if (load) begin
-      id_q <= head.id;
+      id_q <= colors.id;
       x_q <= head.x;
       y_q <= head.y;
       mask_q <= passed;
@@ -300,7 +393,7 @@ module interp_ztest_unit (
 `ifdef PINEDA_FLAT_ATTRIBUTES
   logic [pineda_pkg::FLAT_ATTRIBUTES*pineda_pkg::ATTR_BITS-1:0] flat_q;
   always_ff @(posedge clk_i) begin
-    if (load) flat_q <= head.flat;
+    if (load) flat_q <= colors.flat;
   end
   localparam int unsigned TOKEN_BITS = $bits(id_q) + $bits(x_q) + $bits(y_q) + LANES +
                                        $bits(flat_q);
@@ -329,7 +422,7 @@ module interp_ztest_unit (
     .clk_i,
     .load_i(load && passed != '0),
     .i_i(head_tile_x), .j_i(head_tile_y),
-    .attr_dx_i(head.attr_dx), .attr_dy_i(head.attr_dy), .attr_ref_i(head.attr_ref),
+    .attr_dx_i(colors.attr_dx), .attr_dy_i(colors.attr_dy), .attr_ref_i(colors.attr_ref),
     .start_i(color_pending_q && colors_ready), .mask_i(mask_q),
     .attr_o(attr)
   );
@@ -339,9 +432,9 @@ module interp_ztest_unit (
     .clk_i, .rst_ni,
     .load_i(load && passed != '0),
     .i_i(head_tile_x), .j_i(head_tile_y),
-    .a_i(head.a), .b_i(head.b), .e_i(head.e), .e_low_i(head.e_low),
-    .inverse_w_i(head.inverse_w), .inverse_w_shift_i(head.inverse_w_shift),
-    .vertex_attr_i(head.vertex_attr),
+    .a_i(colors.a), .b_i(colors.b), .e_i(colors.e), .e_low_i(colors.e_low),
+    .inverse_w_i(colors.inverse_w), .inverse_w_shift_i(colors.inverse_w_shift),
+    .vertex_attr_i(colors.vertex_attr),
     .start_i(color_pending_q && colors_ready), .mask_i(mask_q),
     .attr_valid_o(attr_valid), .attr_o(attr)
   );
@@ -381,7 +474,7 @@ module interp_ztest_unit (
 `ifdef PINEDA_DEPTH
   assign cause = !stamp_valid_i ? cycle_cause_pkg::STARVED :
                  hazard ? cycle_cause_pkg::HAZARD :
-                 table_full ? cycle_cause_pkg::BLOCKED :
+                 table_full || planes_full ? cycle_cause_pkg::BLOCKED :
                  stamp_ready_o ? cycle_cause_pkg::BUSY : cycle_cause_pkg::MEMORY;
   cycle_counters #(.Kinds(1)) u_depth_read_stalls (
     .clk_i, .count_i(depth_rd_valid_o && !depth_rd_ready_i), .kind_i(1'b0)
@@ -413,7 +506,7 @@ module interp_ztest_unit (
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin
 `ifdef PINEDA_DEPTH
-      assert (!accept || waiting_ready) else $error("a stamp finds its FIFO full");
+      assert (!accept || places_q != COUNT_BITS'(INFLIGHT)) else $error("too many stamps wait");
       assert (!z_valid || z_ready) else $error("depths find their FIFO full");
       assert (!depth_rsp_valid_i || rsp_ready) else $error("a response nobody asked for");
 `endif

@@ -40,6 +40,9 @@ module stamp_walker (
 `ifdef PINEDA_PERSPECTIVE
   logic [3*EDGE_BITS-1:0] tile_e_q; // at the tile's first sample
 `endif
+`ifdef PINEDA_DEPTH
+  logic first_q; // no stamp of the tile has been sent
+`endif
   logic stamp_valid_q;
   pineda_pkg::stamp_t stamp_q;
 
@@ -99,6 +102,9 @@ module stamp_walker (
 `endif
       x_q <= X_BITS'(tile_i.x0 >> WIDTH_LOG2);
       y_q <= Y_BITS'(tile_i.y0 >> HEIGHT_LOG2);
+`ifdef PINEDA_DEPTH
+      first_q <= 1'b1;
+`endif
       for (int unsigned i = 0; i < 3; i++) begin
         tile_q.e[i*EDGE_BITS +: EDGE_BITS] <=
             tile_i.e[i*EDGE_BITS +: EDGE_BITS] +
@@ -110,6 +116,9 @@ module stamp_walker (
             EDGE_BITS'(signed'(tile_i.b[i*COEFF_BITS +: COEFF_BITS])) * EDGE_BITS'(start_y);
       end
     end else if (advance) begin
+`ifdef PINEDA_DEPTH
+      if (mask != '0) first_q <= 1'b0;
+`endif
       x_q <= row_end ? X_BITS'(tile_q.x0 >> WIDTH_LOG2) : x_q + X_BITS'(1);
       y_q <= row_end ? y_q + Y_BITS'(1) : y_q;
       for (int unsigned i = 0; i < 3; i++) begin
@@ -136,6 +145,7 @@ module stamp_walker (
       stamp_q.y <= (STAMP_Y_BITS'(tile_q.y) << (TILE_LOG2 - HEIGHT_LOG2)) + STAMP_Y_BITS'(y_q);
       stamp_q.mask <= mask;
 `ifdef PINEDA_DEPTH
+      stamp_q.first <= first_q;
       stamp_q.z_dx <= tile_q.z_dx;
       stamp_q.z_dy <= tile_q.z_dy;
       stamp_q.z_ref <= tile_q.z_ref;

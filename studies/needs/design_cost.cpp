@@ -52,9 +52,12 @@ int64_t token_bits(const spec::Contract& c) {
 
 int64_t buffer_bits(const spec::Contract& c) {
   const Design& d = c.design;
-  const int stamps = d.stamp_fifo_depth + (d.depth_test ? c.width.inflight_stamps : 0);
+  const int planes = d.stamp_fifo_depth + (d.depth_test ? d.plane_slots : 0);
+  const int64_t in_flight =
+      d.depth_test ? token_bits<spec::DepthRead>(c) + token_bits<spec::DepthData>(c) : 0;
   return d.prim_fifo_depth * token_bits<spec::SetupPrim>(c) +
-         d.tile_fifo_depth * token_bits<spec::Tile>(c) + stamps * token_bits<spec::Stamp>(c);
+         d.tile_fifo_depth * token_bits<spec::Tile>(c) + planes * token_bits<spec::Stamp>(c) +
+         c.width.inflight_stamps * in_flight;
 }
 
 int64_t memory_bits(const Design& d) {

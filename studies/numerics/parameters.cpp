@@ -144,7 +144,8 @@ std::vector<ParameterPoint> parameter_points(const Design& base, const spec::Fra
   points.numbers(&Design::prim_fifo_depth, {1, 2, 4, 16});
   points.numbers(&Design::tile_fifo_depth, {1, 2, 4, 16});
   points.numbers(&Design::stamp_fifo_depth, {1, 2, 4, 16});
-  points.numbers(&Design::depth_latency_cycles, {1, 8, 32, 64});
+  points.numbers(&Design::plane_slots, {2, 4, 8, 16});
+  points.numbers(&Design::depth_latency_cycles, {1, 4, 8, 16});
   points.numbers(&Design::max_depth_latency_cycles, {8, 16, 32, 64});
   return points.take();
 }

@@ -54,7 +54,7 @@ std::vector<std::pair<std::string, int64_t>> parts_of(const Arguments& more) {
 
 // Setup is slow in this design, so stalls of the source cost no cycles.
 TEST(StudyCycles, AllIsEveryMemoryAndEveryStallUnlessGiven) {
-  const char* expected[] = {"ideal1 none",      "ideal8 none",   "ideal16 none", "dram none",
+  const char* expected[] = {"ideal1 none",      "ideal8 none",   "ideal64 none", "dram none",
                             "dram_merged none", "ideal8 source", "ideal8 sink",  "ideal8 both"};
   const auto parts = parts_of({});
   ASSERT_EQ(parts.size(), std::size(expected));
@@ -122,7 +122,7 @@ TEST(StudyCycles, BadUsageIsRefused) {
   };
   EXPECT_TRUE(is_refused(study({"--designs", "exact"}), "functional model"));
   EXPECT_TRUE(is_refused(study({"--designs", "highest"}), "--design"));
-  EXPECT_TRUE(is_refused(study({"--latency", "65"}), "--latency: expected 1 to 64, got 65"));
+  EXPECT_TRUE(is_refused(study({"--latency", "1025"}), "--latency: expected 1 to 1024, got 1025"));
   EXPECT_TRUE(is_refused(study({"--stall", "all"}), "--stall"));
   EXPECT_TRUE(is_refused(study({"--memory", "sram"}), "--memory"));
   EXPECT_TRUE(is_refused(study({"--memory", "dram", "--latency", "8"}), "only an ideal memory"));

@@ -33,8 +33,8 @@ Scene read(const spec::Contract& contract, const Trial& trial) {
 void set_time(const spec::Contract& contract, const Trial& trial, int late,
               timing::RasterTop* top) {
   const int latency = trial.bench.depth_latency_cycles + late;
-  top->set_memory(memory::make_timing(trial.memory, contract,
-                                      std::min(latency, contract.design.max_depth_latency_cycles)));
+  top->set_memory(
+      memory::make_timing(trial.memory, contract, std::min(latency, spec::kMaxDepthLatencyCycles)));
   top->set_ready(tb::ready_of({trial.bench.stall_mode, trial.bench.seed}));
 }
 

@@ -84,7 +84,7 @@ TEST(BenchTop, ComparisonFindsFaults) {
 
 TEST(BenchTop, ForeignLatencyIsRefused) {
   EXPECT_THROW(bare().load(spec::FrameState{8, 8}, {}, 0), RtlError);
-  EXPECT_THROW(bare().load(spec::FrameState{8, 8}, {}, 65), RtlError);
+  EXPECT_THROW(bare().load(spec::FrameState{8, 8}, {}, 1025), RtlError);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ TEST_P(DesignRtl, TraversalMatchesModel) {
 
 TEST_P(DesignRtl, InterpZtestMatchesModel) {
   size_t writes = 0;
-  for (const int latency_cycles : {1, 8, contract().design.max_depth_latency_cycles}) {
+  for (const int latency_cycles : {1, 8, contract().design.max_depth_latency_cycles, 100}) {
     InterpZtestBench bench(library(), options(latency_cycles));
     for (int i = 0; i < 3; ++i) {
       const auto traversal = random_traversal(40, 16);
@@ -88,7 +88,7 @@ TEST_P(DesignRtl, InterpZtestMatchesModel) {
 }
 
 TEST_P(DesignRtl, TopMatchesModel) {
-  for (const int latency_cycles : {1, 8, contract().design.max_depth_latency_cycles}) {
+  for (const int latency_cycles : {1, 8, contract().design.max_depth_latency_cycles, 100}) {
     FrameBench bench(library(), options(latency_cycles));
     for (const int size_px : {6, 40, 2000}) {
       const auto setup = random_setup(90, size_px);

@@ -101,7 +101,7 @@ TEST_P(RasterRtl, TraversalMatchesModel) {
 }
 
 TEST_P(RasterRtl, InterpZtestMatchesModelInEveryRasterState) {
-  for (const int latency_cycles : {1, 8, contract().design.max_depth_latency_cycles}) {
+  for (const int latency_cycles : {1, 8, contract().design.max_depth_latency_cycles, 100}) {
     InterpZtestBench bench(library(), options(latency_cycles));
     for (int func = 0; func < 9; ++func) {
       const Drawing drawing = random_drawing(&random_, contract(), static_cast<DepthFunc>(func));

@@ -86,7 +86,7 @@ TEST(TraversalRtlRate, TestsOneTileACycle) {
 }
 
 class InterpZtestRtlRate : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Latency, InterpZtestRtlRate, testing::Values(1, 2, 8, 63, 64),
+INSTANTIATE_TEST_SUITE_P(Latency, InterpZtestRtlRate, testing::Values(1, 2, 8, 15, 16),
                          testing::PrintToStringParamName());
 
 TEST_P(InterpZtestRtlRate, TakesAStampACycleWithoutHazards) {
@@ -101,7 +101,8 @@ TEST_P(InterpZtestRtlRate, TakesAStampACycleWithoutHazards) {
 }
 
 // The first stamp's read is accepted in t and its data come in t + latency; they are tested in the
-// next cycle and written in the one after. The second read follows the write.
+// next cycle and written in the one after. The second read follows the write. A latency of 2 is
+// hidden behind the interpolation of the depths.
 TEST_P(InterpZtestRtlRate, SameAddressWaitsForTheWriteAndNoLonger) {
   const auto state = frame(64, 64);
   BenchOptions options;
@@ -110,7 +111,7 @@ TEST_P(InterpZtestRtlRate, SameAddressWaitsForTheWriteAndNoLonger) {
   InterpZtestBench bench(rtl(), options);
   std::vector<Cycle> accepted;
   bench.run(state, std::vector<spec::Stamp>(6, one), &accepted);
-  EXPECT_EQ(gaps(accepted), std::vector<Cycle>(5, GetParam() + 3));
+  EXPECT_EQ(gaps(accepted), std::vector<Cycle>(5, std::max(GetParam(), 2) + 3));
 }
 
 TEST_P(InterpZtestRtlRate, TimeDoesNotDependOnDepth) {

@@ -152,7 +152,7 @@ TEST(TopRtlMutant, AnotherClearedDepthIsSeen) {
 
 TEST(TopRtlProtocol, RefusesALatencyItCannotKeep) {
   EXPECT_THROW(FrameBench(rtl(), options(StallMode::kNone, 0)), RtlError);
-  EXPECT_THROW(FrameBench(rtl(), options(StallMode::kNone, 65)), RtlError);
+  EXPECT_THROW(FrameBench(rtl(), options(StallMode::kNone, 1025)), RtlError);
 }
 
 TEST(RtlLibrary, RefusesAMissingPlugin) {

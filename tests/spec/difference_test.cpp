@@ -36,7 +36,7 @@ TEST(Difference, NoFieldIsOverlooked) {
   for (const auto& field : fields<Stamp>(kContract)) {
     for (int i = 0; i < field.count; ++i) {
       Stamp changed;
-      field.set(kContract, changed, i, 1);
+      field.set(kContract, changed, i, 1 - field.get(kContract, changed, i));
       const auto text = comparer.difference(Stamp{}, changed);
       ASSERT_TRUE(text.has_value()) << field.name;
       EXPECT_EQ(text->rfind(field.name, 0), 0u) << *text;

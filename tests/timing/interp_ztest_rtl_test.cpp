@@ -23,6 +23,7 @@ class Tiled {
     cover_.y = stamp.y >> y_log2;
     tile_ = {&prim_, &cover_, &stamp_};
     const int place = (stamp.y - (cover_.y << y_log2)) << x_log2 | (stamp.x - (cover_.x << x_log2));
+    cover_.covered.first = stamp.first ? place : -1;
     return {&tile_, place};
   }
 
@@ -104,7 +105,7 @@ TEST_P(InterpZtestCycles, EqualWriteByWrite) {
   Unit unit(c);
   spec::Random random(11);
   size_t writes = 0;
-  for (const int latency : {1, 2, 3, 8, c.design.max_depth_latency_cycles}) {
+  for (const int latency : {1, 2, 3, 8, c.design.max_depth_latency_cycles, 1024}) {
     for (const tb::StallMode mode : tb::kStallModes) {
       for (int i = 0; i < 6; ++i) {
         const auto drawing = tb::random_traversal(&random, c, i < 3 ? 8 : 40, 16, 200);

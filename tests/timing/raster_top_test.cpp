@@ -47,17 +47,18 @@ TEST_F(RasterTopTiming, OneStampTakesThirtyNineCycles) {
   EXPECT_EQ(result.spent.drained, 39);
 }
 
+// The depth that is compared is interpolated in 3 cycles, in which a latency of 2 is hidden.
 TEST_F(RasterTopTiming, EachCycleOfLatencyCostsOne) {
   for (int latency = 1; latency <= 64; ++latency) {
     top_.set_depth_latency_cycles(latency);
-    EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 31 + latency);
+    EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 31 + std::max(latency, 2));
   }
 }
 
 TEST_F(RasterTopTiming, DepthOffDoesNotWaitForTheMemory) {
   top_.set_depth_latency_cycles(64);
   const auto result = run({{2, 2, spec::Cull::kNone, spec::DepthFunc::kOff}, {cover(), cover()}});
-  EXPECT_EQ(cycles_of(record_.colors), (Cycles{31, 43}));
+  EXPECT_EQ(cycles_of(record_.colors), (Cycles{32, 44}));
   EXPECT_TRUE(record_.depths.empty());
   EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kHazard], 0);
 }
@@ -87,24 +88,34 @@ TEST_F(RasterTopTiming, HazardDoesNotDependOnDepth) {
 }
 
 TEST_F(RasterTopTiming, StampEveryCycleAtTheLongestLatency) {
-  top_.set_depth_latency_cycles(64);
+  top_.set_depth_latency_cycles(16);
   const auto result = run({{64, 64}, {cover()}});
   ASSERT_EQ(record_.colors.size(), 1024u);
-  for (size_t i = 0; i < 1024; ++i) ASSERT_EQ(record_.colors[i].cycle, 94 + i);
+  for (size_t i = 0; i < 1024; ++i) ASSERT_EQ(record_.colors[i].cycle, 46 + i);
   EXPECT_EQ(result.of(Unit::kStamps)[Cause::kBusy], 1024);
   EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kBusy], 1024);
   EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kBlocked], 0);
 }
 
-// Reads are accepted in 27 .. 98, then the table holds 72 stamps until the first write in 500.
+// 24 stamps are in flight: the 25th waits until the first one's write in 27 + 102 has freed a slot.
+TEST_F(RasterTopTiming, LatencyBeyondTheTableIsSlower) {
+  top_.set_depth_latency_cycles(100);
+  const auto result = run({{8, 16}, {cover()}});
+  ASSERT_EQ(record_.colors.size(), 32u);
+  EXPECT_EQ(record_.colors[23].cycle, 130u + 23);
+  EXPECT_EQ(record_.colors[24].cycle, 130u + 103);
+  EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kBlocked], 130 - 51);
+}
+
+// Reads are accepted in 27 .. 50, then the table holds 24 stamps until the first write in 500.
 TEST_F(RasterTopTiming, FullTableBlocksUntilTheOldestStampIsWritten) {
   top_.set_ready([](ExternalPort port, Cycle cycle) {
     return port != ExternalPort::kDepthWrite || cycle >= 500;
   });
   const auto result = run({{64, 64}, {cover()}});
   EXPECT_EQ(record_.depths.front().cycle, 500u);
-  EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kBlocked], 501 - 99);
-  // The 73rd read is accepted in 501, in time for its write in 572: the writes do not pause.
+  EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kBlocked], 501 - 51);
+  // The 25th read is accepted in 501, in time for its write in 524: the writes do not pause.
   EXPECT_EQ(record_.depths.back().cycle, 500u + 1023);
 }
 
@@ -222,14 +233,36 @@ TEST_F(RasterTopTiming, EachFrameIsClearedToItsOwnDepth) {
 INSTANTIATE_TEST_SUITE_P(Scenes, RasterTopScenes, testing::ValuesIn(kKinds),
                          [](const auto& p) { return kind_name(p.param); });
 
+// With two slots the planes of a tile wait until the first stamp of the tile before is loaded, 66
+// cycles after it was accepted. Without a listener too.
+TEST(RasterTopPlanes, OfATileWaitForASlot) {
+  spec::Design design = spec::kHighTile;
+  design.plane_slots = 2;
+  design.max_depth_latency_cycles = 64;
+  timing::RasterTop top("top", spec::contract(design));
+  top.set_depth_latency_cycles(64);
+  const Scene scene{{64, 8}, {cover()}};
+  Record record;
+  Recorder recorder(&record);
+  const auto watched = top.run(scene.frame, pull_from(scene), &recorder);
+  ASSERT_EQ(record.colors.size(), 128u);
+  for (size_t i = 0; i < 128; ++i) {
+    ASSERT_EQ(record.colors[i].cycle, 94 + i / 16 * 66 + i % 16) << i;
+  }
+  EXPECT_EQ(watched.of(Unit::kInterpZtest)[Cause::kBlocked], 7 * (66 - 16));
+  const auto alone = top.run(scene.frame, pull_from(scene), nullptr);
+  EXPECT_EQ(alone.cycles, watched.cycles);
+  EXPECT_EQ(alone.of(Unit::kInterpZtest)[Cause::kBlocked], 7 * (66 - 16));
+}
+
 // ---- Errors
 
 // SystemC reports on stdout, a death test listens to stderr.
 void report_on_stderr() { dup2(STDERR_FILENO, STDOUT_FILENO); }
 
-TEST_F(RasterTopTiming, LatencyOutsideTheDesignIsRefused) {
+TEST_F(RasterTopTiming, LatencyOutsideItsRangeIsRefused) {
   EXPECT_THROW(top_.set_depth_latency_cycles(0), std::invalid_argument);
-  EXPECT_THROW(top_.set_depth_latency_cycles(65), std::invalid_argument);
+  EXPECT_THROW(top_.set_depth_latency_cycles(1025), std::invalid_argument);
   EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 39);  // still that of the design
 }
 

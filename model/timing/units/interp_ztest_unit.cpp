@@ -33,6 +33,9 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
   columns_log2_ = d.tile_log2 - d.stamp_width_log2;
   tile_stamps_log2_ = fast::stamps_log2(d);
   write_free_ = retired_ = exit_ = -1;
+  // Nothing has been loaded in cycle -1 or before: all slots are free.
+  tile_loads_.assign(d.depth_test ? static_cast<size_t>(d.plane_slots) - 1 : 0, -1);
+  tiles_accepted_ = tiles_loaded_ = 0;
 
   if (!frame->tokens) {
     const bool all = frame->planes == fast::Planes::kAll;
@@ -40,8 +43,8 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
                     all ? fast::TileShader::Values::kAll : fast::TileShader::Values::kDepth);
     in_flight_.begin_frame(tiles);
     pass_cycles_ = !d.depth_test ? 1
-                   : !tests_     ? 3
-                                 : std::max<Cycle>(2, frame->depth_latency + 1) + 1;
+                   : !tests_     ? 4
+                                 : std::max<Cycle>(3, frame->depth_latency + 1) + 1;
     return;
   }
   shader_.reset();
@@ -79,7 +82,9 @@ Cycle InterpZtestUnit::take_direct(const StampToken& stamp, Cycle visible) {
   const size_t tile = tile_of(cover);
   time_.starve(visible);
   if (tests_) time_.spend(Cause::kHazard, in_flight_.stamp_free(tile, stamp.place), stamp.id());
+  if (first) time_.spend(Cause::kBlocked, planes_free(), stamp.id());
   const Cycle accepted = time_.now();
+  if (first) keep_planes(accepted + pass_cycles_ - 1);
   time_.work(1, stamp.id());
   write_free_ = accepted + pass_cycles_;
   if (tests_) in_flight_.stamp(tile, stamp.place, write_free_ + 1);
@@ -102,6 +107,8 @@ bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
   const Cycle first = first_visible + cover.box.test_of(covered.first);
   const size_t number = tile_of(cover);
   if (time_.now() > first || (tests_ && in_flight_.tile_free(number) > first)) return false;
+  if (planes_free() > first) return false;
+  keep_planes(first + pass_cycles_ - 1);
   draw(tile);
   time_.starve(first);
   const int last = cover.box.test_of(covered.last);
@@ -115,6 +122,18 @@ bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
     pass_run(cover, retire);
   }
   return true;
+}
+
+// From this cycle on the next tile's first stamp finds a slot for its planes.
+Cycle InterpZtestUnit::planes_free() const {
+  if (tile_loads_.empty()) return 0;
+  return tile_loads_[tiles_accepted_ % tile_loads_.size()] + 1;
+}
+
+// Notes a tile whose first stamp is accepted, and where memories are always ready is loaded then.
+void InterpZtestUnit::keep_planes(Cycle loaded) {
+  if (tile_loads_.empty()) return;
+  tile_loads_[tiles_accepted_++ % tile_loads_.size()] = loaded;
 }
 
 void InterpZtestUnit::draw(const TileToken& tile) {
@@ -167,9 +186,10 @@ Cycle InterpZtestUnit::take_token(const StampToken& token, Cycle visible) {
   Stored& stored = stored_.push();
   test(stamp, data, &stored);
   stored.address = address;
+  stored.first = token.is_first();
   stored.data = !contract_.design.depth_test ? accepted
-                : tests_                     ? std::max(accepted + 2, response + 1)
-                                             : accepted + 2;
+                : tests_                     ? std::max(accepted + 3, response + 1)
+                                             : accepted + 3;
   pending_[address] = ++accepted_count_;
   return accepted;
 }
@@ -187,6 +207,11 @@ Cycle InterpZtestUnit::accept(const StampToken& token, size_t address, spec::Dep
   }
   if (accepted_count_ >= slot_free_.size()) wait_for(accepted_count_ - slot_free_.size() + 1);
   time_.spend(Cause::kBlocked, slot_free_[accepted_count_ % slot_free_.size()], token.id());
+  if (token.is_first()) {
+    wait_for_planes();
+    time_.spend(Cause::kBlocked, planes_free(), token.id());
+    ++tiles_accepted_;
+  }
   if (!tests_) return time_.now();
   const Cycle accepted = read(*token.tile->stamp, data, response);
   count_stall(MemoryPort::kDepthRead, accepted - time_.now());
@@ -269,6 +294,13 @@ void InterpZtestUnit::wait_for(uint64_t retired) {
   }
 }
 
+// The same until the first stamp is loaded whose tile's slot the next tile waits for.
+void InterpZtestUnit::wait_for_planes() {
+  while (tiles_loaded_ + tile_loads_.size() <= tiles_accepted_) {
+    if (!turn()) offer(kForever);
+  }
+}
+
 bool InterpZtestUnit::step(Cycle until) {
   while (turn()) {
   }
@@ -301,6 +333,9 @@ bool InterpZtestUnit::turn() {
     r = {};
     r.loaded = true;
     r.offered = r.write_offered = r.enter = std::max(stored.data, write_free_) + 1;
+    if (stored.first && !tile_loads_.empty()) {
+      tile_loads_[tiles_loaded_++ % tile_loads_.size()] = r.offered - 1;
+    }
     r.entered = stored.passed == 0;
     if (!stored.writes) retire(r.offered);
     return true;

@@ -32,12 +32,16 @@ namespace pineda::timing {
 ///               visible[n], accept[p] + 1,
 ///               retire[m] + 1 of the last stamp m with the same address, unless the test is off,
 ///               retire[n - T] + 1, since stamps leave the table in order and so free its slots in
-///               order
-///   load[n]   = max(accept[n] + 2, response[n] + 1, retire[p], enter[p])
-///               The depth interpolator's register and the FIFO behind it take 2 cycles, the
-///               response FIFO takes 1. The FIFOs are as deep as the table, so they never push
-///               back. The write register is free again in the cycle in which its depth is written
-///               and its colours have left.
+///               order,
+///               load[f] + 1, if n is the first stamp of a tile and f that of the tile
+///               design.plane_slots - 1 before: a tile's planes are kept until the first stamp of
+///               the next one is loaded
+///   load[n]   = max(accept[n] + 3, response[n] + 1, retire[p], enter[p])
+///               The queue of stamps, the depth interpolator's register and the FIFO behind it take
+///               3 cycles, the response FIFO takes 1. The queues are as deep as the table, so they
+///               never push back; depths are interpolated up to 4 stamps ahead, which is enough for
+///               a stamp a cycle. The write register is free again in the cycle in which its depth
+///               is written and its colours have left.
 ///   retire[n] = the cycle in which the depth write, offered from load[n] + 1 on, is accepted;
 ///               load[n] + 1 if there is nothing to write.
 /// A design without depth has neither table nor queues:
@@ -52,12 +56,12 @@ namespace pineda::timing {
 /// the first cycle in which the colour port is ready, from load[n] + 1 on.
 ///
 /// Where memories are always ready and answer in R cycles, nothing behind the read waits. By
-/// induction: if retire[p] = enter[p] = accept[p] + C with C = max(2, R + 1) + 1, then both are at
-/// most accept[n] + C - 1 = load[n]; and T >= C + 1, so a slot is free whenever a stamp comes.
+/// induction: if retire[p] = enter[p] = accept[p] + C with C = max(3, R + 1) + 1, then both are at
+/// most accept[n] + C - 1 = load[n]; and where T >= C + 1, a slot is free whenever a stamp comes.
 /// Hence
-///   accept[n] = max(visible[n], accept[p] + 1, retire[m] + 1),
+///   accept[n] = max(visible[n], accept[p] + 1, retire[m] + 1, accept[f] + C),
 ///   retire[n] = enter[n] = accept[n] + C,  exit[n] = enter[n] + L,
-/// with C = 3 if depths are not read, 1 in a design without depth. So the stamps of a tile of which
+/// with C = 4 if depths are not read, 1 in a design without depth. So the stamps of a tile of which
 /// none is in flight can be timed all at once.
 ///
 /// Other memories are served in the order of time: a read that is offered in t comes after every
@@ -70,6 +74,11 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
 
   InterpZtestUnit(sc_core::sc_module_name name, const spec::Contract& contract);
 
+  /// Is there a slot for every stamp in flight, where memories are always ready and answer in so many
+  /// cycles?
+  bool keeps_up_with(Cycle latency) const {
+    return !contract_.design.depth_test || latency <= contract_.width.inflight_stamps - 4;
+  }
   void begin_frame(Frame* frame);
   Cycle take(const StampToken& stamp, Cycle visible) override;
   bool take_run(const TileToken& tile, Cycle first_visible) override;
@@ -89,6 +98,7 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   struct Stored {
     size_t address;
     Cycle data;   // the first cycle in which it can be loaded, as far as its depths are concerned
+    bool first;   // of its tile
     bool writes;  // it has a depth write
     uint32_t passed;
     uint32_t greatest;  // depth after its write, for hierarchical z
@@ -132,6 +142,9 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   uint32_t asked(const spec::Stamp& stamp) const;
   uint32_t inside(int stamp_x, int stamp_y) const;
   void wait_for(uint64_t retired);
+  void wait_for_planes();
+  Cycle planes_free() const;
+  void keep_planes(Cycle loaded);
   bool step(Cycle until);
   bool offer(Cycle until);
   bool turn();
@@ -165,7 +178,11 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   uint64_t entered_count_ = 0;
   uint64_t exit_count_ = 0;
   std::vector<Cycle> slot_free_;  // by slot of the in-flight table
-  std::vector<Cycle> exits_;      // of the last L + 1 colour writes
+  // By tile modulo plane_slots - 1: when its first stamp was loaded. Empty without depth.
+  std::vector<Cycle> tile_loads_;
+  uint64_t tiles_accepted_ = 0;
+  uint64_t tiles_loaded_ = 0;
+  std::vector<Cycle> exits_;  // of the last L + 1 colour writes
   spec::Fragment fragment_;
 };
 

@@ -19,6 +19,8 @@ struct StampToken {
   int place = 0;  // its number in the whole tile, row by row
 
   uint32_t id() const { return tile->prim->id; }
+  /// The first of its tile?
+  bool is_first() const { return place == tile->cover->covered.first; }
 };
 
 /// A stream of stamps, which can take the run of a tile at once.

@@ -144,6 +144,7 @@ void TraversalUnit::StampWalker::walk(const TileToken& tile) {
     tested = test + 1;
     if (tile.stamp != nullptr) {
       const int columns_log2 = cover.box.columns_log2;
+      tile.stamp->first = place == cover.covered.first;
       tile.stamp->mask = fast::lanes_of(d, cover.covered, place);
       tile.stamp->x = (cover.x << columns_log2) + (place & ((1 << columns_log2) - 1));
       tile.stamp->y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2);
