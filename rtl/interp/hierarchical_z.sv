@@ -66,7 +66,7 @@ module hierarchical_z #(
     assign due = update_i;
   end else begin : gen_delay
     logic [DELAY-2:0] valid_q;
-    pineda_pkg::depth_max_t delayed_q [DELAY-1];
+    logic [$bits(due)-1:0] delayed_q [DELAY-1]; // not of structs: Yosys 0.23 drops such a memory
     assign due_valid = valid_q[DELAY-2];
     assign due = delayed_q[DELAY-2];
     always_ff @(posedge clk_i or negedge rst_ni) begin

@@ -1,0 +1,2 @@
+pineda_pkg.sv
+memory.sv

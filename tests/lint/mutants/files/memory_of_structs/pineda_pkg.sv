@@ -1,0 +1,5 @@
+package pineda_pkg;
+  typedef struct packed {
+    logic x;
+  } pair_t;
+endpackage
