@@ -145,7 +145,7 @@ void print_row(const Output& output, const Row& row) {
   output.row("", fmt::format("{:.0f} um^2 without {} bits of memories", a.area_without_memory_um2,
                              grouped(static_cast<uint64_t>(a.memory_bits))));
   if (a.macro_area_um2 >= 0) {
-    output.row("", fmt::format("{:.0f} um^2 with memories as macros",
+    output.row("", fmt::format("{:.0f} um^2 with macros where they are smaller",
                                a.area_without_memory_um2 + a.macro_area_um2));
   }
   output.row("Flip-flops", grouped(static_cast<uint64_t>(a.flip_flops)));

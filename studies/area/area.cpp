@@ -76,7 +76,8 @@ void add_up(const Synthesis& synthesis, const Technology& technology, AreaStudy*
     study->flip_flops += part.flip_flops;
     study->memory_bits += part.memory_bits;
     if (part.memory_bits > 0) {
-      macros += macro_area(technology.macros, part.memory_words, part.memory_bits);
+      macros += std::min(part.area_um2,
+                         macro_area(technology.macros, part.memory_words, part.memory_bits));
     } else {
       study->area_without_memory_um2 += part.area_um2;
     }

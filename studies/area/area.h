@@ -40,7 +40,8 @@ struct AreaStudy {
   std::vector<int> asked_ps;              // the clocks asked for
   double area_um2 = 0;                    // every stored bit as a flip-flop
   double area_without_memory_um2 = 0;
-  double macro_area_um2 = -1;  // of the memories as macros; -1: the technology has none that fit
+  double macro_area_um2 =
+      -1;  // of the memories, macros where they are smaller; -1: no macros known
   int flip_flops = 0;
   long memory_bits = 0;
 
