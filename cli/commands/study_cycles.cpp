@@ -227,10 +227,9 @@ void add_cycles_study(CLI::App* study, int* exit_code) {
       ->type_name("MODE");
   command->add_flag(
       "--all", options->all,
-      "Every design with latencies 1, 8 and 64, with every other memory, and with "
-      "every stall at its own latency: an hour; unless given. If --memory, --latency or --stall "
-      "is: "
-      "each memory under each stall");
+      "Every design with latencies 1, 8 and 64, with every other memory, and with every stall at "
+      "its own latency: an hour; unless given. If --memory, --latency or --stall is: each memory "
+      "under each stall");
   command->add_option("--runs", options->runs, "Speed is the median of so many; 0: cycles alone")
       ->check(CLI::Range(0, 1000))
       ->type_name("N")

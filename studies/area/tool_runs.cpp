@@ -128,7 +128,6 @@ std::vector<fs::path> ToolRuns::run(const std::vector<ToolRun>& runs) const {
     if (!fs::exists(results.back()) && !is_listed) missing.emplace_back(key, &one);
   }
   if (missing.empty()) return results;
-  made_ += static_cast<int>(missing.size());
   if (say_) {
     say_(missing.size() == 1
              ? missing.front().second->what

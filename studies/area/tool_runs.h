@@ -40,8 +40,6 @@ class ToolRuns {
 
   /// As a script names a file of the cache.
   std::string name_of(const std::filesystem::path& file) const;
-  /// How many runs were not found in the cache.
-  int made() const { return made_; }
   /// "Yosys 0.23", "OpenSTA 2.0.17".
   std::vector<std::string> versions() const;
 
@@ -51,7 +49,6 @@ class ToolRuns {
   std::filesystem::path cache_;
   std::function<void(const std::string&)> say_;
   std::map<std::string, std::string> version_;  // by tool
-  mutable int made_ = 0;
 };
 
 }  // namespace pineda::studies

@@ -104,9 +104,11 @@ TEST(Parameters, EveryKeyAndMemberStandsOnce) {
 
 // The ends of a range are allowed; a value beyond them is refused under its key, in the key's unit.
 TEST(Parameters, BeyondEachEndOfEachRangeIsRefusedByTheKeysOwnValue) {
+  size_t numbers = 0;
   for (const Parameter& p : kParameters) {
     const auto* number = std::get_if<Number>(&p.member);
     if (number == nullptr) continue;
+    ++numbers;
     const int low = number->low(whole());
     const int high = number->high(whole());
     const auto written = [&](int value) {
@@ -125,6 +127,7 @@ TEST(Parameters, BeyondEachEndOfEachRangeIsRefusedByTheKeysOwnValue) {
       EXPECT_EQ(says_so, !inside) << reason << ", wanted: " << refusal;
     }
   }
+  EXPECT_GT(numbers, 20u);
 }
 
 // With two errors the first in the table is reported, those of earlier rounds before others, whatever
@@ -140,6 +143,7 @@ TEST(Parameters, RangesAreLookedAtInAFixedOrder) {
   }
   std::stable_sort(order.begin(), order.end(),
                    [](const Parameter& a, const Parameter& b) { return a.round < b.round; });
+  EXPECT_GT(order.size(), 20u);
   for (const Parameter& p : order) {
     const std::string reason = range_reason(d);
     EXPECT_EQ(reason.rfind(std::string(p.key) + " is ", 0), 0u) << p.key << ": " << reason;
