@@ -36,8 +36,9 @@ $(WORK)/pineda_pkg.sv: $(EMIT)
 	$(EMIT) $(DESIGN) $(WORK)/emitted --bench
 	cd $(WORK)/emitted && for file in *; do cmp -s $$file ../$$file || cp $$file ..; done
 
-# With counters of what the cycles are spent on.
+# With counters of what the cycles are spent on. Sources of an earlier run must not be compiled again.
 $(WORK)/raster_top.stamp: $(WORK)/pineda_pkg.sv $(RTL_SOURCES) $(LINT) $(RTL)/lint/taps.vlt $(SELF)
+	rm -f $(WORK)/raster_top/*.cpp
 	$(VERILATOR) $(FLAGS) Vraster_top --trace-fst -DPINEDA_COUNTERS --Mdir $(WORK)/raster_top \
 	  --top-module raster_top $(LINT) $(RTL)/lint/taps.vlt $< $(RTL_SOURCES)
 	touch $@
@@ -48,6 +49,7 @@ $(WORK)/loopback.stamp: $(WORK)/pineda_pkg.sv $(SELF)
 	touch $@
 
 $(WORK)/%.stamp: $(WORK)/pineda_pkg.sv $(RTL_SOURCES) $(LINT) $(SELF)
+	rm -f $(WORK)/$*/*.cpp
 	$(VERILATOR) $(FLAGS) V$* --Mdir $(WORK)/$* --top-module $* $(LINT) $< $(RTL_SOURCES)
 	touch $@
 
