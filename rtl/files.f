@@ -2,6 +2,7 @@ pineda_pkg.sv
 lib/cycle_cause_pkg.sv
 lib/cycle_counters.sv
 lib/delay_line.sv
+lib/multiplier.sv
 lib/stream_fifo.sv
 reciprocal/reciprocal.sv
 reciprocal/reciprocal_align.sv
@@ -35,7 +36,8 @@ setup/setup_stepped.sv
 setup/setup_unit.sv
 setup/setup_values.sv
 setup/setup_with_plane.sv
-traversal/stamp_walker.sv
+traversal/coverage_finder.sv
+traversal/stamp_sender.sv
 traversal/tile_walker.sv
 traversal/traversal_unit.sv
 interp/attribute_interpolator.sv

@@ -38,6 +38,7 @@ module raster_top (
   input  logic                      depth_rd_ready_i,
   output pineda_pkg::depth_read_t   depth_rd_o,
   input  logic                      depth_rsp_valid_i,
+  output logic                      depth_rsp_ready_o,
   input  pineda_pkg::depth_data_t   depth_rsp_i,
   output logic                      depth_wr_valid_o,
   input  logic                      depth_wr_ready_i,
@@ -56,8 +57,8 @@ module raster_top (
   logic drained, setup_ready;
   logic prim_valid, prim_ready, queued_prim_valid, queued_prim_ready;
   pineda_pkg::setup_prim_t prim, queued_prim;
-  logic stamp_valid, stamp_ready, queued_stamp_valid, queued_stamp_ready;
-  pineda_pkg::stamp_t stamp, queued_stamp;
+  logic stamp_valid, stamp_ready;
+  pineda_pkg::stamp_t stamp;
   logic setup_idle, traversal_idle, interp_ztest_idle;
 
   assign frame_ready_o = state_q == IDLE;
@@ -66,8 +67,7 @@ module raster_top (
   assign clear_depth_o = frame_q.clear_depth;
 `endif
   assign tri_ready_o = state_q == RUN && setup_ready;
-  assign drained = setup_idle && !queued_prim_valid && traversal_idle && !queued_stamp_valid &&
-                   interp_ztest_idle;
+  assign drained = setup_idle && !queued_prim_valid && traversal_idle && interp_ztest_idle;
   assign end_ready_o = state_q == RUN && drained && !tri_valid_i;
   assign idle_o = state_q == IDLE;
 
@@ -132,25 +132,17 @@ module raster_top (
     .idle_o(traversal_idle)
   );
 
-  stream_fifo #(
-    .Width(pineda_pkg::STAMP_BITS), .Depth(pineda_pkg::STAMP_FIFO_DEPTH)
-  ) u_stamps (
-    .clk_i, .rst_ni,
-    .in_valid_i(stamp_valid), .in_ready_o(stamp_ready), .in_data_i(stamp),
-    .out_valid_o(queued_stamp_valid), .out_ready_i(queued_stamp_ready), .out_data_o(queued_stamp)
-  );
-
   interp_ztest_unit u_interp_ztest (
     .clk_i, .rst_ni,
-    .stamp_valid_i(queued_stamp_valid), .stamp_ready_o(queued_stamp_ready),
-    .stamp_i(queued_stamp),
+    .stamp_valid_i(stamp_valid), .stamp_ready_o(stamp_ready), .stamp_i(stamp),
 `ifdef PINEDA_DEPTH
     .depth_func_i(frame_q.depth), .depth_write_i(frame_q.depth_write),
 `ifdef PINEDA_HIERARCHICAL_Z
     .frame_width_i(frame_q.width), .frame_height_i(frame_q.height),
     .depth_max_valid_o(depth_max_valid), .depth_max_o(depth_max),
 `endif
-    .depth_rd_valid_o, .depth_rd_ready_i, .depth_rd_o, .depth_rsp_valid_i, .depth_rsp_i,
+    .depth_rd_valid_o, .depth_rd_ready_i, .depth_rd_o, .depth_rsp_valid_i, .depth_rsp_ready_o,
+    .depth_rsp_i,
     .depth_wr_valid_o, .depth_wr_ready_i, .depth_wr_o,
 `endif
     .color_wr_valid_o, .color_wr_ready_i, .color_wr_o,
@@ -158,12 +150,9 @@ module raster_top (
   );
 
 `ifdef PINEDA_COUNTERS
-  // The cycles that begin at each level of the FIFOs
+  // The cycles that begin at each level of the FIFO
   cycle_counters #(.Kinds(pineda_pkg::PRIM_FIFO_DEPTH + 1)) u_prim_levels (
     .clk_i, .count_i(1'b1), .kind_i(u_prims.count_q)
-  );
-  cycle_counters #(.Kinds(pineda_pkg::STAMP_FIFO_DEPTH + 1)) u_stamp_levels (
-    .clk_i, .count_i(1'b1), .kind_i(u_stamps.count_q)
   );
 `endif
 

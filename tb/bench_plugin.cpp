@@ -32,12 +32,12 @@ struct PinedaBench {
  private:
   // Depth data that is under way to the top.
   struct Response {
-    bool valid = false;
+    uint64_t cycle = 0;
     uint32_t words[(package::LANES * package::DEPTH_BITS + 31) / 32 + 1];
   };
   void start(const PinedaBenchFrame& frame);
   void clear_depth();
-  void read(Response* response);
+  void read(uint64_t due, Response* response);
   void write_depth();
   void write_color();
   void edge();
@@ -45,7 +45,7 @@ struct PinedaBench {
   VerilatedContext context_;
   std::unique_ptr<Vraster_top> top_;
   PinedaBenchFrame frame_{};
-  std::vector<Response> due_;  // by cycle modulo the latency
+  std::vector<Response> due_;  // read n's is at n modulo its size
 };
 
 namespace {
@@ -128,7 +128,7 @@ void PinedaBench::start(const PinedaBenchFrame& frame) {
 #ifndef PINEDA_DEPTH
   std::fill_n(frame.depth, samples, uint32_t{0xffffff});
 #endif
-  due_.assign(static_cast<size_t>(frame.depth_latency_cycles), Response{});
+  due_.assign(static_cast<size_t>(package::INFLIGHT_STAMPS), Response{});
   set(&top_->frame_i, frame.state);
   top_->frame_valid_i = 1;
 }
@@ -138,8 +138,8 @@ uint64_t PinedaBench::run(const PinedaBenchFrame& frame) {
   start(frame);
   const uint32_t* triangle = frame.triangles;
   const uint32_t* const end = triangle + frame.count * kTriangleWords;
-  size_t slot = 0;
-  uint64_t last_write = 0;  // the cycle after the last write; the clear counts as one
+  size_t asked = 0, answered = 0;  // reads
+  uint64_t last_write = 0;         // the cycle after the last write; the clear counts as one
   uint64_t last_event = 0;
   for (uint64_t cycle = 0;; ++cycle) {
     // A triangle is offered from the cycle on in which the one before it is gone.
@@ -147,23 +147,25 @@ uint64_t PinedaBench::run(const PinedaBenchFrame& frame) {
     top_->end_valid_i = triangle == end;
     if (triangle != end) set(&top_->tri_i, triangle);
 #ifdef PINEDA_DEPTH
-    Response& response = due_[slot];
-    top_->depth_rsp_valid_i = response.valid;
-    if (response.valid) set(&top_->depth_rsp_i, response.words);
+    const Response& response = due_[answered % due_.size()];
+    const bool due = answered != asked && response.cycle <= cycle;
+    top_->depth_rsp_valid_i = due;
+    if (due) set(&top_->depth_rsp_i, response.words);
 #endif
     top_->eval();
 
     bool written = top_->clear_valid_o != 0;
 #ifdef PINEDA_DEPTH
     if (written) clear_depth();
-    // A read sees the writes accepted before its cycle. Its slot comes round in `latency` cycles.
-    response.valid = top_->depth_rd_valid_o != 0;
-    if (response.valid) read(&response);
+    if (due && top_->depth_rsp_ready_o != 0) ++answered;
+    // A read sees the writes accepted before its cycle.
+    if (top_->depth_rd_valid_o != 0)
+      read(cycle + static_cast<uint64_t>(frame_.depth_latency_cycles),
+           &due_[asked++ % due_.size()]);
     if (top_->depth_wr_valid_o != 0) {
       write_depth();
       written = true;
     }
-    if (++slot == due_.size()) slot = 0;
 #endif
     if (top_->color_wr_valid_o != 0) {
       write_color();
@@ -192,7 +194,8 @@ void PinedaBench::clear_depth() {
   std::fill_n(frame_.depth, samples, static_cast<uint32_t>(top_->clear_depth_o));
 }
 
-void PinedaBench::read(Response* response) {
+void PinedaBench::read(uint64_t due, Response* response) {
+  response->cycle = due;
   for_each_lane(top_->depth_rd_o, 0, frame_.width, [&](int lane, uint64_t sample) {
     pineda::spec::set_bits(response->words, lane * package::DEPTH_BITS, package::DEPTH_BITS,
                            frame_.depth[sample]);

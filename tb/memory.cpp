@@ -9,6 +9,7 @@ MemoryEnd::Depth::Depth(const RtlUnit& unit)
       write_words(unit.contract(), writes.payload()),
       z(writes.payload().packer().position("z")),
       response_valid(unit.port("depth_rsp_valid_i")),
+      response_ready(unit.port("depth_rsp_ready_o")),
       response(unit, "depth_rsp_i") {}
 
 MemoryEnd::MemoryEnd(const RtlUnit& unit, std::shared_ptr<MemoryTiming> timing)
@@ -59,11 +60,9 @@ void MemoryEnd::drive(const Stalls& stalls, Cycle cycle) {
   depth_->reads.set_ready(ready(stalls, MemoryPort::kDepthRead, cycle));
   depth_->writes.set_ready(ready(stalls, MemoryPort::kDepthWrite, cycle));
   const Response& response = due_[answered_ % due_.size()];
-  const bool due = answered_ != asked_ && response.cycle == cycle;
+  const bool due = answered_ != asked_ && response.cycle <= cycle;
   depth_->response_valid.set_bit(due);
-  if (!due) return;
-  depth_->response.set_packed(response.words.data());
-  ++answered_;
+  if (due) depth_->response.set_packed(response.words.data());
 }
 
 Cycle MemoryEnd::accept(MemoryPort port, Cycle cycle, const StampWords& request) {
@@ -115,6 +114,7 @@ void MemoryEnd::write_color() {
 }
 
 bool MemoryEnd::sample(Cycle cycle, Listener* listener) {
+  if (depth_ && depth_->response_valid.bit() && depth_->response_ready.bit()) ++answered_;
   // A read sees the writes accepted before its cycle, so it comes first.
   if (depth_ && depth_->reads.taken()) read(cycle);
   const bool depth = depth_ && depth_->writes.taken();

@@ -55,7 +55,7 @@ class StampWords {
 
 /// Serves the memory ports of a unit, cycle by cycle: `timing` says when they take requests, as far
 /// as they do not stall, and when reads are answered. A read sees the writes accepted in earlier
-/// cycles; nothing outside the frame exists. A design without depth has colour writes alone.
+/// cycles; nothing outside the frame exists. A response waits until it is taken. A design without depth has colour writes alone.
 /// Errors   RtlError: responses that do not come in order, one a cycle.
 class MemoryEnd {
  public:
@@ -87,7 +87,7 @@ class MemoryEnd {
     SinkEnd<spec::DepthWrite> writes;
     StampWords read_words, write_words;
     int z;  // position of the write's depths
-    PortData response_valid;
+    PortData response_valid, response_ready;
     PayloadPort<spec::DepthData> response;
   };
   bool ready(const Stalls& stalls, MemoryPort port, Cycle cycle) const;

@@ -114,6 +114,7 @@ struct Traversal : Unit<Vtraversal_unit> {
   PORT(depth_rd_ready_i)  \
   PORT(depth_rd_o)        \
   PORT(depth_rsp_valid_i) \
+  PORT(depth_rsp_ready_o) \
   PORT(depth_rsp_i)       \
   PORT(depth_wr_valid_o)  \
   PORT(depth_wr_ready_i)  \
@@ -193,6 +194,7 @@ struct Top : Unit<Vraster_top> {
     COUNTERS("setup_drops", u_setup__DOT__u_style__DOT__u_drop__DOT__u_drops)
     COUNTERS("tiles_cycles", u_traversal__DOT__u_tiles__DOT__u_cycles)
     COUNTERS("tiles_tests", u_traversal__DOT__u_tiles__DOT__u_tests)
+    COUNTERS("coverage_cycles", u_traversal__DOT__u_coverage__DOT__u_cycles)
     COUNTERS("stamps_cycles", u_traversal__DOT__u_stamps__DOT__u_cycles)
     COUNTERS("stamps_sent", u_traversal__DOT__u_stamps__DOT__u_sent)
     COUNTERS("interp_ztest_cycles", u_interp_ztest__DOT__u_cycles)
@@ -205,7 +207,7 @@ struct Top : Unit<Vraster_top> {
     COUNTERS("color_write_stalls", u_interp_ztest__DOT__u_color_write_stalls)
     COUNTERS("prims_levels", u_prim_levels)
     COUNTERS("tiles_levels", u_traversal__DOT__u_levels)
-    COUNTERS("stamps_levels", u_stamp_levels)
+    COUNTERS("stamps_levels", u_interp_ztest__DOT__u_levels)
   }
   ~Top() override {
     if (fst) fst->close();

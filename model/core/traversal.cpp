@@ -144,11 +144,6 @@ void StampWalk::begin(spec::Stamp* stamp) const {
   if (contract_.design.perspective) stamp->edge = tile_.edge;
 }
 
-int StampWalk::tests() const {
-  const int first_y = tile_.y0 >> contract_.design.stamp_height_log2;
-  return (last_x_ - first_x_ + 1) * (last_y_ - first_y + 1);
-}
-
 bool StampWalk::next(uint32_t* mask, int* x, int* y) {
   if (y_ > last_y_) return false;
   const int w_log2 = contract_.design.stamp_width_log2;

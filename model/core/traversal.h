@@ -47,7 +47,7 @@ class TileWalk {
 ///          there; an edge that accepts the tile is not tested.
 /// Out      next(): one stamp test a call; false when the tile is done. An empty stamp (*mask = 0)
 ///          is tested but not sent.
-/// Twin     rtl/traversal/stamp_walker.sv (one test a cycle).
+/// Twin     rtl/traversal/coverage_finder.sv (some tests a cycle), stamp_sender.sv.
 class StampWalk {
  public:
   StampWalk(const spec::Contract& contract, const Tile& tile);
@@ -55,9 +55,6 @@ class StampWalk {
   /// Sets the members of a stamp that all stamps of the tile share.
   void begin(spec::Stamp* stamp) const;
   bool next(uint32_t* mask, int* x, int* y);  // x, y: column and row of the stamp in the frame
-
-  /// Number of stamp tests in the whole tile, which is the number of cycles it takes.
-  int tests() const;
 
  private:
   const spec::Contract& contract_;

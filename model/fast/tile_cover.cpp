@@ -297,9 +297,10 @@ PINEDA_INLINE void TileCoverWalk::keep(TileCover* cover) {
   cover->y0 = y0;
   cover->x1 = x1;
   cover->y1 = y1;
-  StampBox& box = cover->box;
-  box.column0 = x0 >> d.stamp_width_log2;
-  box.columns = (x1 >> d.stamp_width_log2) - box.column0 + 1;
+  GroupBox& box = cover->box;
+  const int group_px_log2 = d.stamp_width_log2 + box.group_log2;
+  box.column0 = x0 >> group_px_log2;
+  box.columns = (x1 >> group_px_log2) - box.column0 + 1;
   box.row0 = y0 >> d.stamp_height_log2;
   box.rows = (y1 >> d.stamp_height_log2) - box.row0 + 1;
   const auto& [e0, e1, e2] = edges_;

@@ -51,6 +51,31 @@ struct TileSamples {
   bool has(int place) const {
     return (stamps[static_cast<size_t>(place) / 64] >> (place % 64) & 1) != 0;
   }
+  /// How many stamps before this place have a sample.
+  int before(int place) const {
+    int n = 0;
+    for (int word = 0; word < place / 64; ++word) {
+      n += __builtin_popcountll(stamps[static_cast<size_t>(word)]);
+    }
+    const uint64_t below = (uint64_t{1} << (place % 64)) - 1;
+    return n + __builtin_popcountll(stamps[static_cast<size_t>(place) / 64] & below);
+  }
+  /// How many groups of 2^group_log2 stamps side by side, at most a row of the tile, have a sample.
+  int groups(int group_log2) const {
+    constexpr uint64_t kFirst[] = {~uint64_t{0},
+                                   0x5555555555555555,
+                                   0x1111111111111111,
+                                   0x0101010101010101,
+                                   0x0001000100010001,
+                                   0x0000000100000001,
+                                   1};
+    int n = 0;
+    for (uint64_t bits : stamps) {
+      for (int log2 = 0; log2 < group_log2; ++log2) bits |= bits >> (1 << log2);
+      n += __builtin_popcountll(bits & kFirst[group_log2]);
+    }
+    return n;
+  }
   /// Calls visit(place) for each stamp that has a sample.
   template <class Visitor>
   void for_each_stamp(Visitor&& visit) const {
@@ -75,17 +100,19 @@ struct StampCounts {
 /// Stamps by the number of their samples; [0] stays 0.
 using StampsBySamples = std::array<uint64_t, spec::kMaxLanes + 1>;
 
-/// The stamps of a tile that are tested: row by row, so tests and places come in the same order.
-struct StampBox {
-  int column0 = 0, columns = 0;  // from the tile's corner
+/// The groups of a tile's stamps that are tested together for coverage, those inside the triangle's
+/// box: row by row, so tests and places come in the same order.
+struct GroupBox {
+  int column0 = 0, columns = 0;  // of groups, from the tile's corner
   int row0 = 0, rows = 0;
-  int columns_log2 = 0;  // of the whole tile
+  int columns_log2 = 0;  // of stamps, in the whole tile
+  int group_log2 = 0;    // stamps of a group
 
   int tests() const { return columns * rows; }
   /// Number of the test of the stamp at a place in the box.
   int test_of(int place) const {
     const int row = (place >> columns_log2) - row0;
-    const int column = (place & ((1 << columns_log2) - 1)) - column0;
+    const int column = ((place & ((1 << columns_log2) - 1)) >> group_log2) - column0;
     return row * columns + column;
   }
 };
@@ -96,11 +123,12 @@ struct TileCover {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // box clipped to the tile, px from the tile's corner
   bool accepted = false;               // every edge accepts every sample of the tile
   bool full = false;                   // every sample of the tile is covered
-  StampBox box;
+  GroupBox box;
   TileSamples covered;
 
   explicit TileCover(const spec::Contract& contract) : covered(contract.design) {
     box.columns_log2 = contract.design.tile_log2 - contract.design.stamp_width_log2;
+    box.group_log2 = contract.width.tested_stamps_log2;
   }
 };
 

@@ -60,6 +60,9 @@ constexpr Design wide() {
   d.name = "wide";
   d.summary = "high_tile with 4x4 stamps and a triangle a cycle";
   d.setup_style = SetupStyle::kPipelined;
+  d.prim_fifo_depth = 2;  // one of depth 1 takes a triangle every other cycle
+  d.tile_fifo_depth = 4;  // a tile has four stamps at most
+  d.plane_slots = 12;
   d.stamp_width_log2 = d.stamp_height_log2 = 2;
   return d;
 }
@@ -74,8 +77,7 @@ constexpr Design tiny() {
   d.setup_style = SetupStyle::kSerial;
   d.tile_fraction_bits = 7;
   d.stamp_width_log2 = d.stamp_height_log2 = 0;
-  d.prim_fifo_depth = d.stamp_fifo_depth = 2;
-  d.tile_fifo_depth = 1;
+  d.stamp_fifo_depth = 2;
   return d;
 }
 

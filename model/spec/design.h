@@ -19,7 +19,7 @@ enum class ReciprocalScheme {
 
 /// How setup shares its multipliers.
 enum class SetupStyle {
-  kStepped,    // two multipliers for the edges, a pipeline for the planes: ten cycles or more
+  kStepped,    // nine multipliers, shared by edges and planes: six cycles or more
   kPipelined,  // every product has its own multiplier: a triangle a cycle
   kSerial,     // one multiplier for every product of a triangle
 };
@@ -69,6 +69,7 @@ struct Design {
   int tile_log2 = 3;  // tiles of 2^tile_log2 px square
   int stamp_width_log2 = 1;
   int stamp_height_log2 = 1;
+  int tested_stamps_log2 = 2;  // side by side, tested in one cycle; at most a row of the tile
 
   // Hierarchical z: a tile whose part of the triangle lies behind all stored depths is skipped
   bool hierarchical_z = false;
@@ -78,11 +79,11 @@ struct Design {
       4;  // from an accepted depth write to the first tile test that sees it
 
   // Buffers
-  int prim_fifo_depth = 4;            // setup -> traversal
-  int tile_fifo_depth = 2;            // inside traversal: tile test -> stamps
+  int prim_fifo_depth = 1;            // setup -> traversal
+  int tile_fifo_depth = 1;            // inside traversal: tile test -> stamps
   int stamp_fifo_depth = 4;           // traversal -> interpolation
   int depth_latency_cycles = 8;       // default of the depth memory, request accepted -> response
-  int plane_slots = 8;                // tiles whose planes are kept for stamps in flight
+  int plane_slots = 6;                // tiles whose planes are kept for stamps in flight
   int max_depth_latency_cycles = 16;  // greatest latency with a full rate of one stamp a cycle
 };
 

@@ -213,8 +213,7 @@ Table<Stamp> fields(const Contract& c) {
       append<Stamp>(
           stamp_address<Stamp>(c),
           {
-              {"first", "", false, 1, 0, c.design.depth_test ? 1 : 0,
-               PINEDA_ACCESS(Stamp, s.first)},
+              {"first", "", false, 1, 0, 1, PINEDA_ACCESS(Stamp, s.first)},
               {"a", "px", true, w.edge_coeff, s_bits, edges, PINEDA_ACCESS(Stamp, s.edge[at(i)].a)},
               {"b", "px", true, w.edge_coeff, s_bits, edges, PINEDA_ACCESS(Stamp, s.edge[at(i)].b)},
               {"e", "px^2", true, w.edge, s_bits, edges, PINEDA_ACCESS(Stamp, s.edge[at(i)].e)},

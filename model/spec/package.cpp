@@ -33,7 +33,6 @@ Constants depth_constants(const Contract& c) {
       {"BIAS_FRACTION_BITS", kBiasFractionBits, "fraction of the bias"},
       {"DEPTH_BIAS_BITS", w.depth_bias, "the bias, saturated"},
       {"INFLIGHT_STAMPS", w.inflight_stamps, "stamps between read issued and write accepted"},
-      {"PLANE_SLOTS", d.plane_slots, "tiles whose planes are kept for stamps in flight"},
   };
 }
 
@@ -111,6 +110,7 @@ Constants constants(const Contract& c) {
           {"STAMP_WIDTH_LOG2", d.stamp_width_log2, "log2 px"},
           {"STAMP_HEIGHT_LOG2", d.stamp_height_log2, "log2 px"},
           {"LANES", w.lanes, "samples of a stamp"},
+          {"TESTED_STAMPS_LOG2", w.tested_stamps_log2, "stamps whose coverage is found in a cycle"},
           {"FRAME_SIZE_BITS", w.frame_size, "width, height of a frame"},
           {"PIXEL_BITS", w.pixel, "pixel column or row"},
           {"TILE_INDEX_BITS", w.tile_index, "tile column or row"},
@@ -120,7 +120,8 @@ Constants constants(const Contract& c) {
           {"SETUP_LATENCY_CYCLES", w.setup_latency_cycles, "from a triangle to its primitive"},
           {"PRIM_FIFO_DEPTH", d.prim_fifo_depth, "setup -> traversal"},
           {"TILE_FIFO_DEPTH", d.tile_fifo_depth, "tile test -> stamps"},
-          {"STAMP_FIFO_DEPTH", d.stamp_fifo_depth, "traversal -> interpolation"}},
+          {"STAMP_FIFO_DEPTH", d.stamp_fifo_depth, "traversal -> interpolation"},
+          {"PLANE_SLOTS", d.plane_slots, "tiles whose planes are kept for stamps in flight"}},
          &all);
   return all;
 }

@@ -54,23 +54,24 @@ struct Widths {
   int attr_plane;        // the same for an attribute: s<attribute_bits+2>.F, wraps
   int depth_tile_plane;  // the same inside a tile: F' fraction bits
   int attr_tile_plane;
-  int value;              // input of the widest plane: z if there is depth, else an attribute
-  int value_fraction;     // its fraction bits
-  int numerator;          // its gradient numerator
-  int plane;              // its gradients and reference
-  int setup_factor_a;     // first factor of serial setup's multiplier
-  int setup_factor_b;     // second factor
-  int bias_constant;      // depth codes: sign and depth_bits
-  int bias_magnitude;     // max(|dz/dx|, |dz/dy|): UQ<depth_bits+3>.8, saturated
-  int depth_bias;         // sQ<depth_bits+1>.16, saturated: beyond it every code is clamped anyway
-  int frame_size;         // width, height: 1 .. 2^guard px
-  int pixel;              // pixel index inside a frame
-  int tile_index;         // tile column or row
-  int stamp_x;            // stamp column: the address of the depth and colour memories
-  int stamp_y;            // stamp row
-  int lanes;              // samples of a stamp (a count, not a width)
-  int inflight_stamps;    // stamps between read issued and write accepted (a count)
-  int setup_planes_step;  // step of setup in which the first plane starts
+  int value;               // input of the widest plane: z if there is depth, else an attribute
+  int value_fraction;      // its fraction bits
+  int numerator;           // its gradient numerator
+  int plane;               // its gradients and reference
+  int setup_factor_a;      // first factor of serial setup's multiplier
+  int setup_factor_b;      // second factor
+  int bias_constant;       // depth codes: sign and depth_bits
+  int bias_magnitude;      // max(|dz/dx|, |dz/dy|): UQ<depth_bits+3>.8, saturated
+  int depth_bias;          // sQ<depth_bits+1>.16, saturated: beyond it every code is clamped anyway
+  int frame_size;          // width, height: 1 .. 2^guard px
+  int pixel;               // pixel index inside a frame
+  int tile_index;          // tile column or row
+  int stamp_x;             // stamp column: the address of the depth and colour memories
+  int stamp_y;             // stamp row
+  int lanes;               // samples of a stamp (a count, not a width)
+  int tested_stamps_log2;  // stamps whose coverage is found in one cycle
+  int inflight_stamps;     // stamps between read issued and write accepted (a count)
+  int setup_planes_step;   // step of setup in which the first plane starts
   int setup_interval_cycles;      // from an accepted triangle to the next one
   int setup_drop_cycles;          // the same after a dropped triangle
   int setup_drop_latency_cycles;  // from accepting a triangle to having dropped it
@@ -78,25 +79,29 @@ struct Widths {
   int attribute_cycles;  // from a stamp that passed the depth test to its colour write offered
 };
 
-/// Two multipliers for the edges, then one plane starts each cycle.
+/// A triangle every so many cycles that each shared multiplier has made its products, two for the
+/// area and four for the edges, or has taken its slots of planes: depth takes two, an attribute one;
+/// and that the reciprocal is free again.
 constexpr void stepped_setup_cycles(const Design& d, Widths* w) {
   const int planes = plane_count(d);
-  // The last plane reads the triangle's coordinate differences 5 cycles after its start, and the
-  // next triangle overwrites them in its step 5. The steps themselves take 10 cycles.
-  const int planes_done = planes > 0 ? w->setup_planes_step + planes - 1 : 0;
-  // A single plane that waits for a slow reciprocal starts after the other steps; its start must be
-  // a step too.
-  const int steps = planes == 1 ? w->setup_planes_step + 1 : planes_done;
-  w->setup_interval_cycles = steps > 10 ? steps : 10;
-  w->setup_drop_cycles = 5;  // known in step 4
-  // A plane takes six stages and the output register; edges are written in step 9.
-  w->setup_latency_cycles = planes > 0 ? planes_done + 7 : 10;
+  const int slots = planes + (d.depth_test ? 1 : 0);
+  int interval = 6;
+  if (planes > 0 && slots > interval) interval = slots;
+  if (planes > 0 && reciprocal_cycles(d) > interval) interval = reciprocal_cycles(d);
+  w->setup_interval_cycles = interval;
+  w->setup_drop_cycles = w->setup_drop_latency_cycles = 6;  // known in step 5
+  // Planes start from the second register of the triangle, written in step interval + 5.
+  w->setup_planes_step = interval + 6;
+  // Edges are written in step 2 * interval + 8 or later, a plane 9 steps after its last slot starts.
+  const int edges = 2 * interval + 9;
+  const int last_plane = planes > 0 ? w->setup_planes_step + slots + 9 : 0;
+  w->setup_latency_cycles = last_plane > edges ? last_plane : edges;
 }
 
 /// One triangle a cycle. All planes start together; edges are complete in step 8.
 constexpr void pipelined_setup_cycles(const Design& d, Widths* w) {
   w->setup_interval_cycles = w->setup_drop_cycles = 1;
-  w->setup_latency_cycles = plane_count(d) > 0 ? w->setup_planes_step + 7 : 9;
+  w->setup_latency_cycles = plane_count(d) > 0 ? w->setup_planes_step + 8 : 9;
 }
 
 /// One product a cycle: two for the area, four for the edges in steps 5 to 8, those of the
@@ -123,9 +128,10 @@ constexpr void serial_setup_cycles(const Design& d, Widths* w) {
 }
 
 constexpr void setup_cycles(const Design& d, Widths* w) {
-  // The reciprocal starts in step 5, and the first plane needs it 3 cycles after its own start.
-  // Planes start in step 6 at the earliest: they need the differences that step 5 writes.
-  const int reciprocal_ready = 5 + reciprocal_cycles(d) - 3;
+  // The reciprocal starts in step 5 and is rounded in the cycle after it is there; the first plane
+  // needs it 3 cycles after its own start. Planes start in step 6 at the earliest: they need the
+  // differences that step 5 writes.
+  const int reciprocal_ready = 5 + reciprocal_cycles(d) + 1 - 3;
   w->setup_planes_step = reciprocal_ready > 6 ? reciprocal_ready : 6;
   w->setup_drop_latency_cycles = 5;  // known in step 4
   switch (d.setup_style) {
@@ -171,9 +177,11 @@ constexpr Widths widths(const Design& design) {
   w.stamp_x = d.guard_bits - d.stamp_width_log2;
   w.stamp_y = d.guard_bits - d.stamp_height_log2;
   w.lanes = 1 << (d.stamp_width_log2 + d.stamp_height_log2);
-  // For one stamp a cycle at the greatest latency: the cycles from request to response, plus 8 for
-  // comparing, writing and reusing the slot.
-  w.inflight_stamps = d.max_depth_latency_cycles + 8;
+  const int row_log2 = d.tile_log2 - d.stamp_width_log2;
+  w.tested_stamps_log2 = d.tested_stamps_log2 < row_log2 ? d.tested_stamps_log2 : row_log2;
+  // For one stamp a cycle at the greatest latency: a stamp retires the greater of 5 and latency + 2
+  // cycles after its read, and its slot is free a cycle later. One more, so that a write can wait.
+  w.inflight_stamps = (d.max_depth_latency_cycles > 3 ? d.max_depth_latency_cycles : 3) + 4;
   w.bias_constant = d.depth_bits + 1;
   w.bias_magnitude = d.depth_bits + 3 + kBiasFactorFractionBits;
   w.depth_bias = d.depth_bits + 2 + kBiasFractionBits;

@@ -200,7 +200,8 @@ FrameResult RasterTop::result() const {
   result.spent.samples_failed = frame_.stamps.samples - frame_.counters.passed;
   result.spent.drained = drained;
   result.spent.units = {setup_.cycles(drained), traversal_.tile_cycles(drained),
-                        traversal_.stamp_cycles(drained), interp_ztest_.cycles(drained)};
+                        traversal_.coverage_cycles(drained), traversal_.stamp_cycles(drained),
+                        interp_ztest_.cycles(drained)};
   return result;
 }
 

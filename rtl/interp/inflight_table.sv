@@ -2,8 +2,9 @@
 //
 // In       look-up of an address; insert (with insert_i) and remove the oldest (with remove_i).
 // Out      hit_o: the address is in flight; an entry removed in this cycle still hits.
-//          full_o: no insertion in this cycle.
-// Rate     one look-up, one insertion, one removal a cycle.
+//          full_o: no insertion in this cycle. insert_at_o: the place of the next insertion; places
+//          come round in order, and an address can be read at its place until it is removed.
+// Rate     one look-up, one insertion, one removal, one read a cycle.
 // Errors   none; the user neither inserts when full nor removes when empty.
 module inflight_table #(
   parameter int unsigned Width = 26,
@@ -19,7 +20,11 @@ module inflight_table #(
   output logic             empty_o,
 
   input  logic             insert_i,
-  input  logic             remove_i
+  output logic [$clog2(Depth)-1:0]  insert_at_o,
+  input  logic             remove_i,
+
+  input  logic [$clog2(Depth)-1:0]  place_i,
+  output logic [Width-1:0]          address_o
 );
   localparam int unsigned PTR_BITS = $clog2(Depth);
   localparam logic [PTR_BITS-1:0] LAST = PTR_BITS'(Depth - 1);
@@ -31,6 +36,8 @@ module inflight_table #(
 
   assign full_o = inflight_q[insert_q];
   assign empty_o = inflight_q == '0;
+  assign insert_at_o = insert_q;
+  assign address_o = address_q[place_i];
 
   logic hit;
   always_comb begin

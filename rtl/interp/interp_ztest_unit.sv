@@ -6,14 +6,13 @@
 // Out      depth_wr_o, color_wr_o: the covered samples that pass; nothing if none does. With the
 //          test off, or depth not to be written, colour only.
 // Rate     a stamp a cycle at any read latency up to INFLIGHT_STAMPS - 4 cycles, as long as no
-//          hazard and no port stalls it and the planes of its tile find a slot: a tile's are kept
-//          until the first stamp of the next tile is loaded into the write register. A stamp whose
-//          address is in flight waits. In flight = from
-//          the read accepted to the depth write accepted, or to the cycle in which that write would
+//          hazard and no port stalls it and there is a slot for the planes of one more tile: a
+//          tile's are kept until the first stamp of the next tile is loaded into the write register.
+//          A stamp whose address is in flight waits. In flight = from the read accepted to the depth write accepted, or to the cycle in which that write would
 //          have been offered: time does not depend on depth. A read of the address may be accepted
 //          in the cycle after. Attributes are interpolated where a sample passed, and follow
-//          ATTRIBUTE_CYCLES later. A design without depth has no table and no queue: every stamp
-//          goes to its colour write.
+//          ATTRIBUTE_CYCLES later. A design without depth has no table: every stamp goes from
+//          the FIFO in front to its colour write.
 // Drops    samples that fail the test.
 // Errors   none.
 // Twin     model/core/interp.cpp.
@@ -40,12 +39,13 @@ module interp_ztest_unit (
   output pineda_pkg::depth_max_t    depth_max_o,
 `endif
 
-  // Depth memory: responses come in the order of the requests and are always taken; writes are
-  // stable while valid && !ready
+  // Depth memory: responses come in the order of the requests; they and the writes are stable while
+  // valid && !ready
   output logic                      depth_rd_valid_o,
   input  logic                      depth_rd_ready_i,
   output pineda_pkg::depth_read_t   depth_rd_o,
   input  logic                      depth_rsp_valid_i,
+  output logic                      depth_rsp_ready_o,
   input  pineda_pkg::depth_data_t   depth_rsp_i,
   output logic                      depth_wr_valid_o,
   input  logic                      depth_wr_ready_i,
@@ -69,7 +69,22 @@ module interp_ztest_unit (
   localparam int unsigned TILE_LOG2 = pineda_pkg::TILE_LOG2;
 `endif
 
-  // What the colours of all stamps of a tile need, with the triangle's number
+`ifdef PINEDA_DEPTH
+  // What all stamps of a tile share, for their depths
+  typedef struct packed {
+    logic [pineda_pkg::DEPTH_TILE_PLANE_BITS-1:0] z_dx;
+    logic [pineda_pkg::DEPTH_TILE_PLANE_BITS-1:0] z_dy;
+    logic [pineda_pkg::DEPTH_TILE_PLANE_BITS-1:0] z_ref;
+    logic [pineda_pkg::DEPTH_BIAS_BITS-1:0]       z_bias;
+  } depths_t;
+  depths_t depths_in, depths;
+  assign depths_in.z_dx = stamp_i.z_dx;
+  assign depths_in.z_dy = stamp_i.z_dy;
+  assign depths_in.z_ref = stamp_i.z_ref;
+  assign depths_in.z_bias = stamp_i.z_bias;
+`endif
+
+  // The same for their colours, with the triangle's number
   typedef struct packed {
     logic [pineda_pkg::ID_BITS-1:0]      id;
 `ifdef PINEDA_AFFINE
@@ -115,17 +130,13 @@ module interp_ztest_unit (
     logic [pineda_pkg::STAMP_X_BITS-1:0] x;
     logic [pineda_pkg::STAMP_Y_BITS-1:0] y;
     logic [LANES-1:0]                    mask;
-`ifdef PINEDA_DEPTH
-    logic                                first;
-`endif
+    logic                                first; // of its tile
   } place_t;
-  place_t place_in, head;
+  place_t place_in, next, head;
   assign place_in.x = stamp_i.x;
   assign place_in.y = stamp_i.y;
   assign place_in.mask = stamp_i.mask;
-`ifdef PINEDA_DEPTH
   assign place_in.first = stamp_i.first;
-`endif
 
   // A stamp is loaded into the write register, from where its depth and its colours leave.
   logic load, write_free;
@@ -136,6 +147,48 @@ module interp_ztest_unit (
   logic [pineda_pkg::STAMP_Y_BITS-1:0] y_q;
   logic [LANES-1:0] mask_q;
 
+  // ---- Planes are kept once for all stamps of a tile: from when its first stamp comes until the
+  // first one of the next tile is loaded.
+  localparam int unsigned SLOTS = pineda_pkg::PLANE_SLOTS;
+  localparam int unsigned SLOT_BITS = $clog2(SLOTS);
+  // Of the newest tile: the last one and the next; of the stamp that is loaded
+  logic [SLOT_BITS-1:0] newest_q, newest, head_slot;
+  logic [SLOT_BITS-1:0] tiles_q; // whose first stamp is not loaded yet
+  logic push, room;
+  function automatic logic [SLOT_BITS-1:0] after(input logic [SLOT_BITS-1:0] slot);
+    after = slot == SLOT_BITS'(SLOTS - 1) ? '0 : slot + SLOT_BITS'(1);
+  endfunction
+  assign newest = after(newest_q);
+  assign room = tiles_q != SLOT_BITS'(SLOTS - 1);
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      newest_q <= '0;
+      tiles_q <= '0;
+    end else begin
+      if (push && stamp_i.first) newest_q <= newest;
+      tiles_q <= tiles_q + SLOT_BITS'(push && stamp_i.first) - SLOT_BITS'(load && head.first);
+    end
+  end
+  // Memories of plain vectors: Yosys 0.23 drops one of structs without a word.
+  logic [$bits(colors_in)-1:0] colors_mem [SLOTS];
+  always_ff @(posedge clk_i) begin
+    if (push && stamp_i.first) colors_mem[newest] <= colors_in;
+  end
+  assign colors = colors_mem[head_slot];
+
+  // ---- Stamps that wait
+  logic queue_ready, next_valid, next_ready;
+  logic [pineda_pkg::ID_BITS-1:0] next_id;
+  assign stamp_ready_o = queue_ready && room;
+  assign push = stamp_valid_i && stamp_ready_o;
+  stream_fifo #(
+    .Width(pineda_pkg::ID_BITS + $bits(place_in)), .Depth(pineda_pkg::STAMP_FIFO_DEPTH)
+  ) u_stamps (
+    .clk_i, .rst_ni,
+    .in_valid_i(push), .in_ready_o(queue_ready), .in_data_i({stamp_i.id, place_in}),
+    .out_valid_o(next_valid), .out_ready_i(next_ready), .out_data_o({next_id, next})
+  );
+
 `ifdef PINEDA_DEPTH
   localparam int unsigned Z_BITS = pineda_pkg::DEPTH_BITS;
   localparam int unsigned INFLIGHT = pineda_pkg::INFLIGHT_STAMPS;
@@ -145,149 +198,105 @@ module interp_ztest_unit (
   assign test = depth_func_i != pineda_pkg::DEPTH_OFF;
 
   // ---- Issue: a stamp enters when no stamp ahead of it can still write what it reads
-  logic hazard, table_full, table_empty, planes_full, accept, retire;
-  assign depth_rd_valid_o = stamp_valid_i && test && !hazard && !table_full && !planes_full;
-  assign stamp_ready_o = !hazard && !table_full && !planes_full && (!test || depth_rd_ready_i);
-  assign accept = stamp_valid_i && stamp_ready_o;
-  assign depth_rd_o.id = stamp_i.id;
-  assign depth_rd_o.x = stamp_i.x;
-  assign depth_rd_o.y = stamp_i.y;
+  logic hazard, table_full, table_empty, accept, retire;
+  assign depth_rd_valid_o = next_valid && test && !hazard && !table_full;
+  assign next_ready = !hazard && !table_full && (!test || depth_rd_ready_i);
+  assign accept = next_valid && next_ready;
+  assign depth_rd_o.id = next_id;
+  assign depth_rd_o.x = next.x;
+  assign depth_rd_o.y = next.y;
 `ifdef PINEDA_HIERARCHICAL_Z
   for (genvar lane = 0; lane < LANES; lane++) begin : gen_read
     localparam int unsigned COLUMN = lane % (1 << pineda_pkg::STAMP_WIDTH_LOG2);
     localparam int unsigned ROW = lane >> pineda_pkg::STAMP_WIDTH_LOG2;
     localparam int unsigned SIZE_BITS = pineda_pkg::FRAME_SIZE_BITS;
     assign depth_rd_o.mask[lane] =
-        (SIZE_BITS'(stamp_i.x) << pineda_pkg::STAMP_WIDTH_LOG2) + SIZE_BITS'(COLUMN) <
+        (SIZE_BITS'(next.x) << pineda_pkg::STAMP_WIDTH_LOG2) + SIZE_BITS'(COLUMN) <
             frame_width_i &&
-        (SIZE_BITS'(stamp_i.y) << pineda_pkg::STAMP_HEIGHT_LOG2) + SIZE_BITS'(ROW) <
+        (SIZE_BITS'(next.y) << pineda_pkg::STAMP_HEIGHT_LOG2) + SIZE_BITS'(ROW) <
             frame_height_i;
   end
 `else
-  assign depth_rd_o.mask = stamp_i.mask;
+  assign depth_rd_o.mask = next.mask;
 `endif
 
-  inflight_table #(.Width(ADDRESS_BITS), .Depth(INFLIGHT)) u_inflight (
-    .clk_i, .rst_ni,
-    .lookup_i(stamp_valid_i && test),
-    .address_i({stamp_i.y, stamp_i.x}),
-    .hit_o(hazard),
-    .full_o(table_full),
-    .empty_o(table_empty),
-    .insert_i(accept),
-    .remove_i(retire)
-  );
-
-  // ---- Planes are kept once for all stamps of a tile. The slot of a tile is free again when the
-  // first stamp of the next one is loaded.
-  localparam int unsigned SLOTS = pineda_pkg::PLANE_SLOTS;
-  localparam int unsigned SLOT_BITS = $clog2(SLOTS);
-  typedef struct packed {
-    logic [pineda_pkg::DEPTH_TILE_PLANE_BITS-1:0] z_dx;
-    logic [pineda_pkg::DEPTH_TILE_PLANE_BITS-1:0] z_dy;
-    logic [pineda_pkg::DEPTH_TILE_PLANE_BITS-1:0] z_ref;
-    logic [pineda_pkg::DEPTH_BIAS_BITS-1:0]       z_bias;
-  } depths_t;
-  depths_t depths_in, depths;
-  assign depths_in.z_dx = stamp_i.z_dx;
-  assign depths_in.z_dy = stamp_i.z_dy;
-  assign depths_in.z_ref = stamp_i.z_ref;
-  assign depths_in.z_bias = stamp_i.z_bias;
-
-  // The slots of the newest tile, of the stamp whose depths are interpolated, of the one that is
-  // loaded: where these were last
-  logic z_start;
-  place_t z_place;
-  logic [SLOT_BITS-1:0] newest_q, z_slot_q, z_slot, head_slot_q, head_slot;
-  function automatic logic [SLOT_BITS-1:0] after(input logic [SLOT_BITS-1:0] slot);
-    after = slot == SLOT_BITS'(SLOTS - 1) ? '0 : slot + SLOT_BITS'(1);
-  endfunction
-  assign z_slot = z_place.first ? after(z_slot_q) : z_slot_q;
-  assign head_slot = head.first ? after(head_slot_q) : head_slot_q;
-  logic [SLOT_BITS-1:0] tiles_q; // whose first stamp is not loaded yet
-  assign planes_full = stamp_i.first && tiles_q == SLOT_BITS'(SLOTS - 1);
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      newest_q <= '0;
-      z_slot_q <= '0;
-      head_slot_q <= '0;
-      tiles_q <= '0;
-    end else begin
-      if (accept && stamp_i.first) newest_q <= after(newest_q);
-      if (z_start) z_slot_q <= z_slot;
-      if (load) head_slot_q <= head_slot;
-      tiles_q <= tiles_q + SLOT_BITS'(accept && stamp_i.first) - SLOT_BITS'(load && head.first);
-    end
-  end
-
-  // Memories of plain vectors: Yosys 0.23 drops one of structs without a word.
-  logic [$bits(depths_in)-1:0] depths_mem [SLOTS];
-  logic [$bits(colors_in)-1:0] colors_mem [SLOTS];
-  always_ff @(posedge clk_i) begin
-    if (accept && stamp_i.first) begin
-      depths_mem[after(newest_q)] <= depths_in;
-      colors_mem[after(newest_q)] <= colors_in;
-    end
-  end
-  assign depths = depths_mem[z_slot];
-  assign colors = colors_mem[head_slot];
-
-  // ---- Stamps on their way to the test, as many as the table counts, so that there is always room.
-  // Depths are interpolated ahead of it.
-  localparam int unsigned AHEAD = 4;
+  // ---- Stamps on their way to the test: their addresses stand in the table, the rest beside it.
+  // Depths are interpolated ahead of the test.
   localparam int unsigned PTR_BITS = $clog2(INFLIGHT);
   localparam int unsigned COUNT_BITS = $clog2(INFLIGHT + 1);
-  localparam int unsigned AHEAD_BITS = $clog2(AHEAD + 1);
-  logic [$bits(place_in)-1:0] places_mem [INFLIGHT];
-  logic [PTR_BITS-1:0] newest_place_q, z_place_q, head_place_q;
-  logic [COUNT_BITS-1:0] places_q;  // accepted, their depths not started
-  logic [AHEAD_BITS-1:0] ahead_q;   // their depths started, not loaded
+  logic z_start, z_ready, z_valid_q;
+  place_t next_place;
+  logic [PTR_BITS-1:0] newest_place, z_place_q;
+  logic [COUNT_BITS-1:0] places_q; // accepted, their depths not started
   function automatic logic [PTR_BITS-1:0] behind(input logic [PTR_BITS-1:0] place);
     behind = place == PTR_BITS'(INFLIGHT - 1) ? '0 : place + PTR_BITS'(1);
   endfunction
-  assign z_place = places_mem[z_place_q];
-  assign head = places_mem[head_place_q];
-  assign z_start = places_q != '0 && ahead_q != AHEAD_BITS'(AHEAD);
+  assign z_start = places_q != '0 && (!z_valid_q || z_ready);
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      newest_place_q <= '0;
       z_place_q <= '0;
-      head_place_q <= '0;
       places_q <= '0;
-      ahead_q <= '0;
     end else begin
-      if (accept) newest_place_q <= behind(newest_place_q);
       if (z_start) z_place_q <= behind(z_place_q);
-      if (load) head_place_q <= behind(head_place_q);
       places_q <= places_q + COUNT_BITS'(accept) - COUNT_BITS'(z_start);
-      ahead_q <= ahead_q + AHEAD_BITS'(z_start) - AHEAD_BITS'(load);
+    end
+  end
+  inflight_table #(.Width(ADDRESS_BITS), .Depth(INFLIGHT)) u_inflight (
+    .clk_i, .rst_ni,
+    .lookup_i(next_valid && test),
+    .address_i({next.y, next.x}),
+    .hit_o(hazard),
+    .full_o(table_full),
+    .empty_o(table_empty),
+    .insert_i(accept), .insert_at_o(newest_place),
+    .remove_i(retire),
+    .place_i(z_place_q), .address_o({next_place.y, next_place.x})
+  );
+  logic [LANES:0] places_mem [INFLIGHT];
+  always_ff @(posedge clk_i) begin
+    if (accept) places_mem[newest_place] <= {next.first, next.mask};
+  end
+  assign {next_place.first, next_place.mask} = places_mem[z_place_q];
+
+  // ---- Depths: where the stamp is, then its planes
+  logic [$bits(depths_in)-1:0] depths_mem [SLOTS];
+  place_t stamp_q; // whose depths are interpolated, and its slot
+  logic [SLOT_BITS-1:0] stamp_slot_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      z_valid_q <= 1'b0;
+      stamp_slot_q <= '0;
+    end else if (!z_valid_q || z_ready) begin
+      z_valid_q <= z_start;
+      if (z_start && next_place.first) stamp_slot_q <= after(stamp_slot_q);
     end
   end
   always_ff @(posedge clk_i) begin
-    if (accept) places_mem[newest_place_q] <= place_in;
+    if (z_start) stamp_q <= next_place;
   end
+  always_ff @(posedge clk_i) begin
+    if (push && stamp_i.first) depths_mem[newest] <= depths_in;
+  end
+  assign depths = depths_mem[stamp_slot_q];
 
-  logic z_valid, head_z_valid, rsp_valid, z_ready, rsp_ready;
-  logic [LANES*Z_BITS-1:0] z, head_z;
+  logic head_z_valid, rsp_valid;
+  logic [LANES*Z_BITS-1:0] head_z;
   pineda_pkg::depth_data_t stored;
   logic [TILE_LOG2-1:0] tile_x, tile_y; // of the stamp's first sample, from the tile's corner
-  assign tile_x = TILE_LOG2'(z_place.x) << pineda_pkg::STAMP_WIDTH_LOG2;
-  assign tile_y = TILE_LOG2'(z_place.y) << pineda_pkg::STAMP_HEIGHT_LOG2;
-  depth_interpolator u_depth (
+  assign tile_x = TILE_LOG2'(stamp_q.x) << pineda_pkg::STAMP_WIDTH_LOG2;
+  assign tile_y = TILE_LOG2'(stamp_q.y) << pineda_pkg::STAMP_HEIGHT_LOG2;
+  depth_interpolator #(.TagBits($bits(stamp_q) + SLOT_BITS)) u_depth (
     .clk_i, .rst_ni,
-    .stamp_valid_i(z_start),
-    .i_i(tile_x), .j_i(tile_y), .mask_i(z_place.mask),
+    .stamp_valid_i(z_valid_q), .stamp_ready_o(z_ready),
+    .i_i(tile_x), .j_i(tile_y), .mask_i(stamp_q.mask),
     .z_dx_i(depths.z_dx), .z_dy_i(depths.z_dy), .z_ref_i(depths.z_ref), .z_bias_i(depths.z_bias),
-    .z_valid_o(z_valid), .z_o(z)
+    .tag_i({stamp_q, stamp_slot_q}),
+    .z_valid_o(head_z_valid), .z_ready_i(load), .tag_o({head, head_slot}), .z_o(head_z)
   );
-  stream_fifo #(.Width(LANES*Z_BITS), .Depth(AHEAD)) u_z (
+  // So that a response does not wait for a write to be taken in the same cycle
+  stream_fifo #(.Width(pineda_pkg::DEPTH_DATA_BITS), .Depth(2)) u_responses (
     .clk_i, .rst_ni,
-    .in_valid_i(z_valid), .in_ready_o(z_ready), .in_data_i(z),
-    .out_valid_o(head_z_valid), .out_ready_i(load), .out_data_o(head_z)
-  );
-  stream_fifo #(.Width(pineda_pkg::DEPTH_DATA_BITS), .Depth(INFLIGHT)) u_responses (
-    .clk_i, .rst_ni,
-    .in_valid_i(depth_rsp_valid_i), .in_ready_o(rsp_ready), .in_data_i(depth_rsp_i),
+    .in_valid_i(depth_rsp_valid_i), .in_ready_o(depth_rsp_ready_o), .in_data_i(depth_rsp_i),
     .out_valid_o(rsp_valid), .out_ready_i(load && test), .out_data_o(stored)
   );
   assign load = head_z_valid && (rsp_valid || !test) && write_free;
@@ -368,10 +377,15 @@ module interp_ztest_unit (
   assign depth_max_o.z = greatest_q;
 `endif
 `else
-  assign stamp_ready_o = write_free;
-  assign load = stamp_valid_i && write_free;
-  assign head = place_in;
-  assign colors = colors_in;
+  assign next_ready = write_free;
+  assign load = next_valid && write_free;
+  assign head = next;
+  logic [SLOT_BITS-1:0] head_slot_q;
+  assign head_slot = head.first ? after(head_slot_q) : head_slot_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) head_slot_q <= '0;
+    else if (load) head_slot_q <= head_slot;
+  end
   assign passed = head.mask;
   assign write_free = !color_pending_q || colors_ready;
 `endif
@@ -464,18 +478,18 @@ module interp_ztest_unit (
 `endif
 
 `ifdef PINEDA_DEPTH
-  assign idle_o = table_empty && !color_pending_q && !token_valid;
+  assign idle_o = !next_valid && table_empty && !color_pending_q && !token_valid;
 `else
-  assign idle_o = !color_pending_q && !token_valid;
+  assign idle_o = !next_valid && !color_pending_q && !token_valid;
 `endif
 
 `ifdef PINEDA_COUNTERS
   logic [2:0] cause;
 `ifdef PINEDA_DEPTH
-  assign cause = !stamp_valid_i ? cycle_cause_pkg::STARVED :
+  assign cause = !next_valid ? cycle_cause_pkg::STARVED :
                  hazard ? cycle_cause_pkg::HAZARD :
-                 table_full || planes_full ? cycle_cause_pkg::BLOCKED :
-                 stamp_ready_o ? cycle_cause_pkg::BUSY : cycle_cause_pkg::MEMORY;
+                 table_full ? cycle_cause_pkg::BLOCKED :
+                 next_ready ? cycle_cause_pkg::BUSY : cycle_cause_pkg::MEMORY;
   cycle_counters #(.Kinds(1)) u_depth_read_stalls (
     .clk_i, .count_i(depth_rd_valid_o && !depth_rd_ready_i), .kind_i(1'b0)
   );
@@ -483,14 +497,18 @@ module interp_ztest_unit (
     .clk_i, .count_i(depth_wr_valid_o && !depth_wr_ready_i), .kind_i(1'b0)
   );
 `else
-  assign cause = !stamp_valid_i ? cycle_cause_pkg::STARVED :
-                 stamp_ready_o ? cycle_cause_pkg::BUSY : cycle_cause_pkg::BLOCKED;
+  assign cause = !next_valid ? cycle_cause_pkg::STARVED :
+                 next_ready ? cycle_cause_pkg::BUSY : cycle_cause_pkg::BLOCKED;
 `endif
   cycle_counters #(.Kinds(1)) u_color_write_stalls (
     .clk_i, .count_i(color_wr_valid_o && !color_wr_ready_i), .kind_i(1'b0)
   );
   cycle_counters #(.Kinds(cycle_cause_pkg::CAUSES)) u_cycles (
     .clk_i, .count_i(1'b1), .kind_i(cause)
+  );
+  // The cycles that begin at each level of the FIFO
+  cycle_counters #(.Kinds(pineda_pkg::STAMP_FIFO_DEPTH + 1)) u_levels (
+    .clk_i, .count_i(1'b1), .kind_i(u_stamps.count_q)
   );
   // Stamps tested, by covered samples that passed and by those that failed
   localparam int unsigned SAMPLES_BITS = $clog2(LANES + 1);
@@ -507,8 +525,7 @@ module interp_ztest_unit (
     if (rst_ni) begin
 `ifdef PINEDA_DEPTH
       assert (!accept || places_q != COUNT_BITS'(INFLIGHT)) else $error("too many stamps wait");
-      assert (!z_valid || z_ready) else $error("depths find their FIFO full");
-      assert (!depth_rsp_valid_i || rsp_ready) else $error("a response nobody asked for");
+      assert (!depth_rsp_valid_i || !table_empty) else $error("a response nobody asked for");
 `endif
 `ifdef PINEDA_ATTRIBUTES
       assert (!attr_valid || attr_ready) else $error("attributes find their FIFO full");

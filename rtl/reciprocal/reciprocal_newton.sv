@@ -56,31 +56,29 @@ module reciprocal_newton (
       end
     end
   end else begin : g_steps
-    // |1 - 2mx| < 2^-LUT_BITS after the ROM, and smaller after each step.
+    // |1 - 2mx| < 2^-LUT_BITS after the ROM, and smaller after each step. What is kept is one less in
+    // the last of W fraction bits: the complement of 2mx, truncated to them.
     localparam int unsigned ERROR_BITS = W - LUT_BITS + 1;
-    logic signed [ERROR_BITS-1:0] error_q;
+    logic signed [ERROR_BITS-1:0] error_less_1_q;
 
-    // 1 - 2mx, from the product truncated to W fraction bits.
-    logic [2*W-1:0] mx;
-    logic [W:0] mx2;
-    logic [W:0] one_minus;
-    assign mx = (2*W)'(m_q) * (2*W)'(x_q);
-    assign mx2 = mx[2*W-1:W-1];
-    assign one_minus = {1'b1, {W{1'b0}}} - mx2;
-
-    // 2x(1 - mx) = x + x(1 - 2mx), truncated.
-    logic signed [W+ERROR_BITS:0] correction;
-    logic [W-1:0] refined;
-    assign correction = (W+ERROR_BITS+1)'(signed'({1'b0, x_q})) * (W+ERROR_BITS+1)'(error_q);
-    assign refined = x_q + W'(correction >>> W);
+    // One multiplier takes turns: x times m; then 2x(1 - mx) = x + x(1 - 2mx), truncated, with the
+    // last bit of the error times x added as well.
+    logic signed [W:0] factor;
+    logic [2*W+1:0] addend;
+    logic signed [2*W+1:0] product;
+    assign factor = step_q[0] ? (W+1)'(error_less_1_q) : signed'({1'b0, m_q});
+    assign addend = step_q[0] ? {2'b00, x_q, x_q} : '0;
+    multiplier #(.ABits(W + 1), .BBits(W + 1)) u_product (
+      .a_i(signed'({1'b0, x_q})), .b_i(factor), .addend_i(addend), .product_o(product)
+    );
 
     always_ff @(posedge clk_i) begin
       if (enable_i) begin
         if (start_i) m_q <= m;
         if (step_q == STEP_BITS'(STEPS)) x_q <= guess;
         else if (step_q != '0) begin
-          if (step_q[0]) x_q <= refined;
-          else error_q <= one_minus[ERROR_BITS-1:0];
+          if (step_q[0]) x_q <= product[2*W-1:W];
+          else error_less_1_q <= ~product[W-1 +: ERROR_BITS];
         end
       end
     end

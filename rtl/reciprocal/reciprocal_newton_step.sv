@@ -22,9 +22,11 @@ module reciprocal_newton_step (
   localparam int unsigned ERROR_BITS = W - pineda_pkg::RECIPROCAL_LUT_BITS + 1;
 
   // 1 - 2mx, from the product truncated to W fraction bits.
-  logic [2*W-1:0] mx;
+  logic signed [2*W+1:0] mx;
   logic [W:0] one_minus;
-  assign mx = (2*W)'(m_i) * (2*W)'(x_i);
+  multiplier #(.ABits(W + 1), .BBits(W + 1)) u_mx (
+    .a_i({1'b0, m_i}), .b_i({1'b0, x_i}), .addend_i('0), .product_o(mx)
+  );
   assign one_minus = {1'b1, {W{1'b0}}} - mx[2*W-1:W-1];
 
   logic [W-1:0] m1_q, m2_q, x1_q, x2_q;
@@ -32,7 +34,9 @@ module reciprocal_newton_step (
 
   // 2x(1 - mx) = x + x(1 - 2mx), truncated.
   logic signed [W+ERROR_BITS:0] correction;
-  assign correction = (W+ERROR_BITS+1)'(signed'({1'b0, x1_q})) * (W+ERROR_BITS+1)'(error_q);
+  multiplier #(.ABits(W + 1), .BBits(ERROR_BITS)) u_correction (
+    .a_i({1'b0, x1_q}), .b_i(error_q), .addend_i('0), .product_o(correction)
+  );
 
   always_ff @(posedge clk_i) begin
     if (enable_i) begin

@@ -2,8 +2,8 @@
 //
 // Bits     core::setup() defines them.
 // In       area2_i in cycle 5 of the triangle, in cycle 6 the triangle in canonical order and its
-//          offsets; valid_i: which of the six cycles from SETUP_PLANES_STEP on have one.
-// Out      prim_o: prim_i with the planes, in cycle SETUP_PLANES_STEP + 6.
+//          offsets; valid_i: which of the seven cycles from SETUP_PLANES_STEP on have one.
+// Out      prim_o: prim_i with the planes, in cycle SETUP_PLANES_STEP + 7.
 // Rate     a triangle an enabled cycle.
 // Twin     model/core/planes.cpp.
 `ifdef PINEDA_SETUP_PIPELINED
@@ -18,7 +18,7 @@ module setup_parallel_planes (
 
   input  logic                                           area2_valid_i,
   input  logic [pineda_pkg::AREA2_BITS-2:0]              area2_i,
-  input  logic [5:0]                                     valid_i,
+  input  logic [6:0]                                     valid_i,
   input  pineda_pkg::triangle_t                          tri_i,
   // Vertices 1 and 2 from the anchor; the first sample from the anchor
   input  logic signed [pineda_pkg::EDGE_COEFF_BITS-1:0]  dx1_i,
@@ -77,7 +77,7 @@ module setup_parallel_planes (
     .cut_x_o(cut_x), .cut_y_o(cut_y), .dx_o(z_dx), .dy_o(z_dy), .ref_o(z_ref)
   );
   setup_plane_bias #(.CutBits(CUT_BITS)) u_bias (
-    .clk_i, .enable_i, .valid_i(valid_i[5:4]), .frame_i, .cut_x_i(cut_x), .cut_y_i(cut_y),
+    .clk_i, .enable_i, .valid_i(valid_i[6:4]), .frame_i, .cut_x_i(cut_x), .cut_y_i(cut_y),
 `ifdef PINEDA_HIERARCHICAL_Z
     .steep_o(z_steep),
 `endif

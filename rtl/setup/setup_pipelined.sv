@@ -2,7 +2,7 @@
 //
 // Bits     core::setup() defines every output bit.
 // In, Out  as setup_unit.
-// Rate     1 triangle a cycle, dropped or not. Latency SETUP_PLANES_STEP + 7 cycles, 9 without
+// Rate     1 triangle a cycle, dropped or not. Latency SETUP_PLANES_STEP + 8 cycles, 9 without
 //          planes. Back-pressure freezes the whole unit.
 // Drops    as setup_unit; in the cycle 4 after the triangle came.
 // Twin     model/core/setup.cpp.
@@ -20,6 +20,7 @@ module setup_pipelined (
   input  logic                     prim_ready_i,
   output pineda_pkg::setup_prim_t  prim_o,
 
+  output logic                     working_o, // no triangle can be taken, since one was
   output logic                     idle_o
 );
   localparam int unsigned COORD_BITS = pineda_pkg::COORD_BITS;
@@ -35,6 +36,7 @@ module setup_pipelined (
   assign advance = !(valid_q[LATENCY] && !prim_ready_i);
   assign tri_ready_o = advance;
   assign prim_valid_o = valid_q[LATENCY];
+  assign working_o = 1'b0;
   assign idle_o = valid_q == '0;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) valid_q <= '0;
@@ -118,23 +120,43 @@ module setup_pipelined (
   logic signed [AREA2_BITS-1:0] product_a7_q, product_b7_q, product_c7_q, product_d7_q;
   logic signed [AREA2_BITS-1:0] e0_8q, e2_8q;
 
+  logic signed [2*COEFF_BITS-1:0] product12_3, product21_3, product_a7, product_b7, product_c7, product_d7;
+  multiplier #(.ABits(COEFF_BITS), .BBits(COEFF_BITS)) u_product12_3 (
+    .a_i(dx1_2q), .b_i(dy2_2q), .addend_i('0), .product_o(product12_3)
+  );
+  multiplier #(.ABits(COEFF_BITS), .BBits(COEFF_BITS)) u_product21_3 (
+    .a_i(dx2_2q), .b_i(dy1_2q), .addend_i('0), .product_o(product21_3)
+  );
+  multiplier #(.ABits(COEFF_BITS), .BBits(COEFF_BITS)) u_product_a7 (
+    .a_i(dx1_6), .b_i(ref_y6), .addend_i('0), .product_o(product_a7)
+  );
+  multiplier #(.ABits(COEFF_BITS), .BBits(COEFF_BITS)) u_product_b7 (
+    .a_i(dy1_6), .b_i(ref_x6), .addend_i('0), .product_o(product_b7)
+  );
+  multiplier #(.ABits(COEFF_BITS), .BBits(COEFF_BITS)) u_product_c7 (
+    .a_i(dy2_6), .b_i(ref_x6), .addend_i('0), .product_o(product_c7)
+  );
+  multiplier #(.ABits(COEFF_BITS), .BBits(COEFF_BITS)) u_product_d7 (
+    .a_i(dx2_6), .b_i(ref_y6), .addend_i('0), .product_o(product_d7)
+  );
+
   always_ff @(posedge clk_i) begin
     if (advance) begin
       tri1_q <= tri_i;
       {dx1_2q, dy1_2q, dx2_2q, dy2_2q} <= {dx1_1, dy1_1, dx2_1, dy2_1};
       {x_low2_q, x_high2_q, y_low2_q, y_high2_q} <= {x_low1, x_high1, y_low1, y_high1};
-      product12_3q <= AREA2_BITS'(dx1_2q) * AREA2_BITS'(dy2_2q);
-      product21_3q <= AREA2_BITS'(dx2_2q) * AREA2_BITS'(dy1_2q);
+      product12_3q <= AREA2_BITS'(product12_3);
+      product21_3q <= AREA2_BITS'(product21_3);
       area2_4q <= product12_3q - product21_3q;
       canonical5_q <= canonical4;
       abs_area2_5q <= abs_area2_4;
       box5_q <= box4;
       canonical6_q <= canonical5_q;
       offsets6_q <= {dx1_5, dy1_5, dx2_5, dy2_5, ref_x5, ref_y5};
-      product_a7_q <= AREA2_BITS'(dx1_6) * AREA2_BITS'(ref_y6);
-      product_b7_q <= AREA2_BITS'(dy1_6) * AREA2_BITS'(ref_x6);
-      product_c7_q <= AREA2_BITS'(dy2_6) * AREA2_BITS'(ref_x6);
-      product_d7_q <= AREA2_BITS'(dx2_6) * AREA2_BITS'(ref_y6);
+      product_a7_q <= AREA2_BITS'(product_a7);
+      product_b7_q <= AREA2_BITS'(product_b7);
+      product_c7_q <= AREA2_BITS'(product_c7);
+      product_d7_q <= AREA2_BITS'(product_d7);
       e0_8q <= product_a7_q - product_b7_q;
       e2_8q <= product_c7_q - product_d7_q;
     end
@@ -169,7 +191,7 @@ module setup_pipelined (
 `ifdef PINEDA_DEPTH
     .frame_i,
 `endif
-    .area2_valid_i(valid_q[5]), .area2_i(abs_area2_5q), .valid_i(valid_q[LATENCY-2:LATENCY-7]),
+    .area2_valid_i(valid_q[5]), .area2_i(abs_area2_5q), .valid_i(valid_q[LATENCY-2:LATENCY-8]),
     .tri_i(canonical6_q),
     .dx1_i(dx1_6), .dy1_i(dy1_6), .dx2_i(dx2_6), .dy2_i(dy2_6), .ref_x_i(ref_x6), .ref_y_i(ref_y6),
     .prim_i(with_edges), .prim_o(prim)

@@ -1,8 +1,8 @@
-// The depth bias beside the pipeline that makes the depth plane: in the same cycle.
+// The depth bias beside the pipeline that makes the depth plane.
 //
 // Bits     core::setup() defines the bias of its depth plane.
-// In       the gradients of depth in stage 4 of setup_plane; valid_i: stages 4 and 5.
-// Out      bias_o after stage 5; steep_o: hierarchical z knows nothing of such a plane.
+// In       the gradients of depth; valid_i: this cycle and the two after it.
+// Out      bias_o after these; steep_o: hierarchical z knows nothing of such a plane.
 // Twin     model/core/planes.cpp.
 `ifdef PINEDA_DEPTH
 module setup_plane_bias #(
@@ -10,7 +10,7 @@ module setup_plane_bias #(
 ) (
   input  logic                                           clk_i,
   input  logic                                           enable_i,
-  input  logic [1:0]                                     valid_i,
+  input  logic [2:0]                                     valid_i,
   input  pineda_pkg::frame_t                             frame_i,
   input  logic signed [CutBits-1:0]                      cut_x_i,
   input  logic signed [CutBits-1:0]                      cut_y_i,
@@ -21,26 +21,32 @@ module setup_plane_bias #(
 );
   localparam int unsigned MAGNITUDE_BITS = pineda_pkg::BIAS_MAGNITUDE_BITS;
   localparam int unsigned SLOPE_BITS = MAGNITUDE_BITS + pineda_pkg::BIAS_SLOPE_BITS + 1;
+  logic signed [MAGNITUDE_BITS+1:0] saturated_x, saturated_y, saturated_x_q, saturated_y_q;
   logic [MAGNITUDE_BITS-1:0] magnitude_x, magnitude_y, magnitude_x_q, magnitude_y_q, magnitude;
-  setup_magnitude #(.CutBits(CutBits)) u_x (.cut_i(cut_x_i), .magnitude_o(magnitude_x));
-  setup_magnitude #(.CutBits(CutBits)) u_y (.cut_i(cut_y_i), .magnitude_o(magnitude_y));
+  setup_magnitude #(.CutBits(CutBits)) u_x (
+    .cut_i(cut_x_i), .saturated_o(saturated_x),
+    .saturated_i(saturated_x_q), .magnitude_o(magnitude_x)
+  );
+  setup_magnitude #(.CutBits(CutBits)) u_y (
+    .cut_i(cut_y_i), .saturated_o(saturated_y),
+    .saturated_i(saturated_y_q), .magnitude_o(magnitude_y)
+  );
   assign magnitude = magnitude_x_q > magnitude_y_q ? magnitude_x_q : magnitude_y_q;
 
-  logic signed [SLOPE_BITS-1:0] slope_q;
+  logic signed [SLOPE_BITS-1:0] slope, slope_q;
+  multiplier #(.ABits(MAGNITUDE_BITS + 1), .BBits(pineda_pkg::BIAS_SLOPE_BITS)) u_slope (
+    .a_i({1'b0, magnitude}), .b_i(frame_i.bias_slope), .addend_i('0), .product_o(slope)
+  );
   always_ff @(posedge clk_i) begin
     if (enable_i) begin
-      if (valid_i[0]) begin
-        magnitude_x_q <= magnitude_x;
-        magnitude_y_q <= magnitude_y;
-      end
-      if (valid_i[1]) begin
-        slope_q <= SLOPE_BITS'(signed'({1'b0, magnitude})) * SLOPE_BITS'(frame_i.bias_slope);
-      end
+      if (valid_i[0]) {saturated_x_q, saturated_y_q} <= {saturated_x, saturated_y};
+      if (valid_i[1]) {magnitude_x_q, magnitude_y_q} <= {magnitude_x, magnitude_y};
+      if (valid_i[2]) slope_q <= slope;
     end
   end
 `ifdef PINEDA_HIERARCHICAL_Z
   always_ff @(posedge clk_i) begin
-    if (enable_i && valid_i[1]) begin
+    if (enable_i && valid_i[2]) begin
       steep_o <= magnitude[MAGNITUDE_BITS-1:pineda_pkg::HIERARCHICAL_Z_STEEP_LOG2] != '0;
     end
   end

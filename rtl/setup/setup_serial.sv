@@ -20,6 +20,7 @@ module setup_serial (
   input  logic                     prim_ready_i,
   output pineda_pkg::setup_prim_t  prim_o,
 
+  output logic                     working_o, // no triangle can be taken, since one was
   output logic                     idle_o
 );
   localparam int unsigned COORD_BITS = pineda_pkg::COORD_BITS;
@@ -42,6 +43,7 @@ module setup_serial (
   assign tri_ready_o = advance && step_q == '0;
   assign prim_valid_o = prim_valid_q;
   assign prim_o = prim_q;
+  assign working_o = step_q != '0;
   assign idle_o = step_q == '0 && !prim_valid_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -98,7 +100,10 @@ module setup_serial (
   // ---- The multiplier
   logic signed [A_BITS-1:0] factor_a, rest_a;
   logic signed [B_BITS-1:0] factor_b, rest_b;
-  logic signed [A_BITS+B_BITS-1:0] product_q;
+  logic signed [A_BITS+B_BITS-1:0] product, product_q;
+  multiplier #(.ABits(A_BITS), .BBits(B_BITS)) u_product (
+    .a_i(factor_a), .b_i(factor_b), .addend_i('0), .product_o(product)
+  );
   always_comb begin
     factor_a = rest_a;
     factor_b = rest_b;
@@ -113,7 +118,7 @@ module setup_serial (
     endcase
   end
   always_ff @(posedge clk_i) begin
-    if (advance) product_q <= (A_BITS+B_BITS)'(factor_a) * (A_BITS+B_BITS)'(factor_b);
+    if (advance) product_q <= product;
   end
 
   // ---- Area (steps 1 to 3), drop or canonical order (4), E of the edges that meet at the anchor

@@ -1,10 +1,10 @@
-// Triangle setup in steps: two multipliers for area and edges, then a pipeline for the planes.
+// Triangle setup with shared multipliers: one for area and edges, eight for the planes, which pass
+// through one pipeline.
 //
 // Bits     core::setup() defines every output bit.
 // In, Out  as setup_unit.
-// Rate     1 triangle every SETUP_INTERVAL_CYCLES; a dropped one takes 5 cycles. Latency
-//          SETUP_PLANES_STEP + PLANES + 6 cycles, 10 without planes. Back-pressure freezes the
-//          whole unit.
+// Rate     1 triangle every SETUP_INTERVAL_CYCLES. While any is inside, the next one comes a multiple
+//          of these later; a dropped one is inside for 6 cycles. Back-pressure freezes the whole unit.
 // Drops    as setup_unit.
 // Twin     model/core/setup.cpp.
 `ifdef PINEDA_SETUP_STEPPED
@@ -21,38 +21,70 @@ module setup_stepped (
   input  logic                     prim_ready_i,
   output pineda_pkg::setup_prim_t  prim_o,
 
+  output logic                     working_o, // no triangle can be taken, since one was
   output logic                     idle_o
 );
   localparam int unsigned COORD_BITS = pineda_pkg::COORD_BITS;
   localparam int unsigned COEFF_BITS = pineda_pkg::EDGE_COEFF_BITS;
   localparam int unsigned AREA2_BITS = pineda_pkg::AREA2_BITS;
   localparam int unsigned PIXEL_BITS = pineda_pkg::PIXEL_BITS;
-  localparam int unsigned STEP_BITS = $clog2(pineda_pkg::SETUP_INTERVAL_CYCLES);
-  localparam logic [STEP_BITS-1:0] LAST_STEP =
-      STEP_BITS'(pineda_pkg::SETUP_INTERVAL_CYCLES - 1);
+  localparam int unsigned LATENCY = pineda_pkg::SETUP_LATENCY_CYCLES;
+  localparam int unsigned I = pineda_pkg::SETUP_INTERVAL_CYCLES;
+  localparam int unsigned PHASE_BITS = $clog2(I);
 
-  // ---- Control: step_q = 0 waits for a triangle, the steps below are numbered by it
-  logic [STEP_BITS-1:0] step_q;
-  logic advance;
-  logic drop;
-  logic prim_valid_q;
-  pineda_pkg::setup_prim_t prim_q;
-  assign advance = !(prim_valid_q && !prim_ready_i);
-  assign tri_ready_o = advance && step_q == '0;
-  assign prim_valid_o = prim_valid_q;
-  assign prim_o = prim_q;
-
+  // ---- Control. step[n]: a triangle came n cycles ago. Triangles come multiples of I cycles apart,
+  // so what happens in steps that differ by no such multiple can share a multiplier. A register
+  // that is written in step n holds its value in steps n + 1 to n + I, and what is needed for longer
+  // moves on to another register, whose name has the next higher number.
+  logic [LATENCY:0] step;
+  logic [LATENCY:1] step_q;
+  logic [PHASE_BITS-1:0] phase_q; // cycles until a triangle can be taken
+  logic working_q;                // one was taken in phase 0
+  logic advance, drop;
+  assign advance = !(step_q[LATENCY] && !prim_ready_i);
+  assign tri_ready_o = advance && (phase_q == '0 || step_q == '0);
+  assign working_o = working_q && phase_q != '0;
+  assign step = {step_q, tri_valid_i && tri_ready_o};
+  assign prim_valid_o = step_q[LATENCY];
+  assign idle_o = step_q == '0;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       step_q <= '0;
+      phase_q <= '0;
+      working_q <= 1'b0;
     end else if (advance) begin
-      if (step_q == '0) step_q <= STEP_BITS'(tri_valid_i);
-      else if (step_q == LAST_STEP || (step_q == STEP_BITS'(4) && drop)) step_q <= '0;
-      else step_q <= step_q + STEP_BITS'(1);
+      step_q <= {step[LATENCY-1:6], step[5] && !drop, step[4:0]};
+      if (step[0] || phase_q == '0) begin
+        phase_q <= PHASE_BITS'(I - 1);
+        working_q <= step[0];
+      end else begin
+        phase_q <= phase_q - PHASE_BITS'(1);
+        if (step[5] && drop) working_q <= 1'b0;
+      end
     end
   end
 
-  // ---- Step 0: the triangle. Step 1: differences, extremes, anchor
+  // ---- The multiplier: two products for the area in steps 2 and 3, four for the edges in steps
+  // that these leave free. The first product of a pair waits for the second one.
+  localparam int unsigned EDGE0 = I + 7;
+  localparam int unsigned EDGE1 = 2 * I + 4;
+  localparam int unsigned EDGE2 = 2 * I + 5;
+  localparam int unsigned EDGE3 = 2 * I + 6;
+  logic signed [COEFF_BITS-1:0] factor_a, factor_b;
+  logic signed [2*COEFF_BITS-1:0] product;
+  logic signed [AREA2_BITS-1:0] product_q, area_product_q, edge_product_q;
+  multiplier #(.ABits(COEFF_BITS), .BBits(COEFF_BITS)) u_product (
+    .a_i(factor_a), .b_i(factor_b), .addend_i('0), .product_o(product)
+  );
+  always_ff @(posedge clk_i) begin
+    if (advance) begin
+      product_q <= AREA2_BITS'(product);
+      if (step[3]) area_product_q <= product_q;
+      if (step[EDGE0+1] || step[EDGE2+1]) edge_product_q <= product_q;
+    end
+  end
+
+  // ---- Steps 0 and 1: the triangle; differences, extremes, anchor
   pineda_pkg::triangle_t tri_q;
   logic signed [COEFF_BITS-1:0] raw_dx1, raw_dy1, raw_dx2, raw_dy2;
   logic signed [COEFF_BITS-1:0] raw_dx1_q, raw_dy1_q, raw_dx2_q, raw_dy2_q;
@@ -60,7 +92,6 @@ module setup_stepped (
     .x_i(tri_q.x), .y_i(tri_q.y),
     .dx1_o(raw_dx1), .dy1_o(raw_dy1), .dx2_o(raw_dx2), .dy2_o(raw_dy2)
   );
-
   logic [1:0] anchor, anchor_q;
   logic signed [COORD_BITS-1:0] x_low, x_high, y_low, y_high, x_low_q, x_high_q, y_low_q, y_high_q;
   setup_extremes u_extremes (
@@ -68,134 +99,124 @@ module setup_stepped (
     .x_low_o(x_low), .x_high_o(x_high), .y_low_o(y_low), .y_high_o(y_high)
   );
 
-  // ---- Steps 2 and 3: doubled area, box
+  // ---- Steps 2 to 4: box, doubled area
   logic empty, empty_q;
-  logic [4*PIXEL_BITS-1:0] box, box_q;
+  logic [4*PIXEL_BITS-1:0] box, box_q, box2_q, box3_q, box4_q;
   setup_box u_box (
     .frame_i, .x_low_i(x_low_q), .x_high_i(x_high_q), .y_low_i(y_low_q), .y_high_i(y_high_q),
     .empty_o(empty), .box_o(box)
   );
   logic signed [AREA2_BITS-1:0] area2_q;
 
-  // Two multipliers serve the area (step 2) and the edges (steps 6 and 7)
-  logic signed [COEFF_BITS-1:0] factor_a, factor_b, factor_c, factor_d;
-  logic signed [AREA2_BITS-1:0] product_ab_q, product_cd_q;
-
-  // ---- Step 4: drop, or canonical order
+  // ---- Step 5: drop, or canonical order
   logic clockwise;
-  logic [AREA2_BITS-2:0] abs_area2, abs_area2_q;
+  logic [AREA2_BITS-2:0] abs_area2, area2_2q, area2_3q, area2_4q;
   setup_drop u_drop (
 `ifdef PINEDA_COUNTERS
     // The inputs of the box do not change before the next triangle's step 1.
-    .clk_i, .count_i(advance && step_q == STEP_BITS'(4)),
+    .clk_i, .count_i(advance && step[5]),
     .no_sample_i(u_box.u_x.no_sample || u_box.u_y.no_sample),
 `endif
     .frame_i, .area2_i(area2_q), .empty_i(empty_q),
     .drop_o(drop), .clockwise_o(clockwise), .abs_area2_o(abs_area2)
   );
-  pineda_pkg::triangle_t canonical, canonical_q;
+  pineda_pkg::triangle_t canonical, tri2_q, tri3_q, tri4_q;
   setup_canonical u_canonical (
-    .valid_i(step_q == STEP_BITS'(4)),
+    .valid_i(step[5]),
     .frame_i, .tri_i(tri_q), .anchor_i(anchor_q), .clockwise_i(clockwise), .tri_o(canonical)
   );
 
-  // ---- Step 5: differences from the anchor, the first sample from the anchor; reciprocal starts
-  logic signed [COEFF_BITS-1:0] dx1, dy1, dx2, dy2, ref_x, ref_y;
-  logic signed [COEFF_BITS-1:0] dx1_q, dy1_q, dx2_q, dy2_q, ref_x_q, ref_y_q;
+  // ---- Step 6: vertices 1 and 2 from the anchor, the first sample from the anchor
+  typedef struct packed {
+    logic signed [COEFF_BITS-1:0] dx1, dy1, dx2, dy2, ref_x, ref_y;
+  } offsets_t;
+  offsets_t offsets, offsets2_q, offsets3_q, offsets4_q;
   setup_differences u_differences (
-    .x_i(canonical_q.x), .y_i(canonical_q.y), .dx1_o(dx1), .dy1_o(dy1), .dx2_o(dx2), .dy2_o(dy2)
+    .x_i(tri2_q.x), .y_i(tri2_q.y),
+    .dx1_o(offsets.dx1), .dy1_o(offsets.dy1), .dx2_o(offsets.dx2), .dy2_o(offsets.dy2)
   );
   setup_reference u_reference (
-    .x_i(canonical_q.x[COORD_BITS-1:0]), .y_i(canonical_q.y[COORD_BITS-1:0]),
-    .box_i(box_q[2*PIXEL_BITS-1:0]), .ref_x_o(ref_x), .ref_y_o(ref_y)
+    .x_i(tri2_q.x[COORD_BITS-1:0]), .y_i(tri2_q.y[COORD_BITS-1:0]),
+    .box_i(box2_q[2*PIXEL_BITS-1:0]), .ref_x_o(offsets.ref_x), .ref_y_o(offsets.ref_y)
   );
-
-  // ---- Steps 6 to 9: E of edges 0 and 2 from the anchor, which lies on both
-  logic signed [AREA2_BITS-1:0] e0_q, e2_q;
-  always_comb begin
-    case (step_q)
-      STEP_BITS'(2): begin
-        factor_a = raw_dx1_q; factor_b = raw_dy2_q; factor_c = raw_dx2_q; factor_d = raw_dy1_q;
-      end
-      STEP_BITS'(6): begin
-        factor_a = dx1_q; factor_b = ref_y_q; factor_c = dy1_q; factor_d = ref_x_q;
-      end
-      default: begin
-        factor_a = dy2_q; factor_b = ref_x_q; factor_c = dx2_q; factor_d = ref_y_q;
-      end
-    endcase
-  end
 
   always_ff @(posedge clk_i) begin
     if (advance) begin
-      case (step_q)
-        STEP_BITS'(0): if (tri_valid_i) tri_q <= tri_i;
-        STEP_BITS'(1): begin
-          raw_dx1_q <= raw_dx1;
-          raw_dy1_q <= raw_dy1;
-          raw_dx2_q <= raw_dx2;
-          raw_dy2_q <= raw_dy2;
-          anchor_q <= anchor;
-          x_low_q <= x_low;
-          x_high_q <= x_high;
-          y_low_q <= y_low;
-          y_high_q <= y_high;
-        end
-        STEP_BITS'(3): begin
-          area2_q <= product_ab_q - product_cd_q;
-          empty_q <= empty;
-          box_q <= box;
-        end
-        STEP_BITS'(4): if (!drop) begin
-          canonical_q <= canonical;
-          abs_area2_q <= abs_area2;
-        end
-        STEP_BITS'(5): begin
-          dx1_q <= dx1;
-          dy1_q <= dy1;
-          dx2_q <= dx2;
-          dy2_q <= dy2;
-          ref_x_q <= ref_x;
-          ref_y_q <= ref_y;
-        end
-        STEP_BITS'(7): e0_q <= product_ab_q - product_cd_q;
-        STEP_BITS'(8): e2_q <= product_ab_q - product_cd_q;
-        default: ;
-      endcase
-      if (step_q == STEP_BITS'(2) || step_q == STEP_BITS'(6) || step_q == STEP_BITS'(7)) begin
-        product_ab_q <= AREA2_BITS'(factor_a) * AREA2_BITS'(factor_b);
-        product_cd_q <= AREA2_BITS'(factor_c) * AREA2_BITS'(factor_d);
+      if (step[0]) tri_q <= tri_i;
+      if (step[1]) begin
+        raw_dx1_q <= raw_dx1;
+        raw_dy1_q <= raw_dy1;
+        raw_dx2_q <= raw_dx2;
+        raw_dy2_q <= raw_dy2;
+        anchor_q <= anchor;
+        x_low_q <= x_low;
+        x_high_q <= x_high;
+        y_low_q <= y_low;
+        y_high_q <= y_high;
       end
+      if (step[2]) begin
+        empty_q <= empty;
+        box_q <= box;
+      end
+      if (step[4]) area2_q <= area_product_q - product_q;
+      if (step[5]) {tri2_q, box2_q, area2_2q} <= {canonical, box_q, abs_area2};
+      if (step[6]) offsets2_q <= offsets;
+      if (step[I+5]) {tri3_q, box3_q, area2_3q} <= {tri2_q, box2_q, area2_2q};
+      if (step[I+6]) offsets3_q <= offsets2_q;
+      if (step[2*I+5]) {tri4_q, box4_q, area2_4q} <= {tri3_q, box3_q, area2_3q};
+      if (step[2*I+6]) offsets4_q <= offsets3_q;
     end
   end
 
-  pineda_pkg::setup_prim_t with_edges;
+  // ---- E of edges 0 and 2 from the anchor, which lies on both
+  logic signed [AREA2_BITS-1:0] e0_q, e2_q;
+  always_comb begin
+    factor_a = raw_dx1_q;
+    factor_b = raw_dy2_q;
+    if (step[3]) begin factor_a = raw_dx2_q; factor_b = raw_dy1_q; end
+    if (step[EDGE0]) begin factor_a = offsets3_q.dx1; factor_b = offsets3_q.ref_y; end
+    if (step[EDGE1]) begin factor_a = offsets3_q.dy1; factor_b = offsets3_q.ref_x; end
+    if (step[EDGE2]) begin factor_a = offsets3_q.dy2; factor_b = offsets3_q.ref_x; end
+    if (step[EDGE3]) begin factor_a = offsets3_q.dx2; factor_b = offsets3_q.ref_y; end
+  end
+  always_ff @(posedge clk_i) begin
+    if (advance && step[EDGE1+1]) e0_q <= edge_product_q - product_q;
+    if (advance && step[EDGE3+1]) e2_q <= edge_product_q - product_q;
+  end
+
+  // ---- The output register: each plane when it comes; edges in a step in which they are there, and
+  // the primitive before is gone
+  localparam int unsigned EDGES = EDGE3 + 2 > LATENCY - I ? EDGE3 + 2 : LATENCY - I;
+  pineda_pkg::setup_prim_t prim_q, with_edges;
+  assign prim_o = prim_q;
   setup_edges u_edges (
-    .valid_i(step_q == STEP_BITS'(9)),
-    .tri_i(canonical_q), .box_i(box_q), .dx1_i(dx1_q), .dy1_i(dy1_q), .dx2_i(dx2_q), .dy2_i(dy2_q),
-    .area2_i(abs_area2_q), .e0_i(e0_q), .e2_i(e2_q), .prim_i(prim_q), .prim_o(with_edges)
+    .valid_i(step[EDGES]),
+    .tri_i(tri4_q), .box_i(box4_q),
+    .dx1_i(offsets4_q.dx1), .dy1_i(offsets4_q.dy1), .dx2_i(offsets4_q.dx2), .dy2_i(offsets4_q.dy2),
+    .area2_i(area2_4q), .e0_i(e0_q), .e2_i(e2_q), .prim_i(prim_q), .prim_o(with_edges)
   );
 
-  // ---- The output register: edges in step 9, then the planes, the last one completes it
 `ifdef PINEDA_PLANES
-  localparam int unsigned PLANES = pineda_pkg::PLANES;
-  localparam int unsigned PLANE_BITS = pineda_pkg::PLANE_BITS;
-  localparam int unsigned INDEX_BITS = $clog2(PLANES + 1);
-
-  logic [pineda_pkg::AREA2_LENGTH_BITS-1:0] length;
-  logic [pineda_pkg::RECIPROCAL_BITS-1:0] mantissa;
+  // ---- The reciprocal starts in step 6 and is done when the next one starts.
+  logic [pineda_pkg::AREA2_LENGTH_BITS-1:0] length, length_q;
+  logic [pineda_pkg::RECIPROCAL_BITS-1:0] mantissa, mantissa_q;
   reciprocal u_reciprocal (
     .clk_i, .rst_ni,
     .enable_i(advance),
-    .start_i(step_q == STEP_BITS'(5)),
-    .area2_i(abs_area2_q),
+    .start_i(step[6]),
+    .area2_i(area2_2q),
     .length_o(length),
     .mantissa_o(mantissa)
   );
+  always_ff @(posedge clk_i) begin
+    if (advance && step[I+6]) {mantissa_q, length_q} <= {mantissa, length};
+  end
 
-  logic plane_valid, planes_busy;
-  logic [INDEX_BITS-1:0] plane_index;
-  logic signed [PLANE_BITS-1:0] plane_dx, plane_dy, plane_ref;
+  // ---- The planes: each input as their pipeline takes it, see there
+  localparam int unsigned START = pineda_pkg::SETUP_PLANES_STEP;
+  logic plane_valid;
+  logic [$clog2(pineda_pkg::PLANES+1)-1:0] plane_index;
+  logic signed [pineda_pkg::PLANE_BITS-1:0] plane_dx, plane_dy, plane_ref;
 `ifdef PINEDA_DEPTH
   logic signed [pineda_pkg::DEPTH_BIAS_BITS-1:0] bias;
 `ifdef PINEDA_HIERARCHICAL_Z
@@ -205,34 +226,32 @@ module setup_stepped (
   setup_planes u_planes (
     .clk_i, .rst_ni,
     .enable_i(advance),
-    .start_i(step_q == STEP_BITS'(pineda_pkg::SETUP_PLANES_STEP)),
-    .tri_i(canonical_q),
-    .dx1_i(dx1_q), .dy1_i(dy1_q), .dx2_i(dx2_q), .dy2_i(dy2_q),
-    .ref_x_i(ref_x_q), .ref_y_i(ref_y_q),
-    .mantissa_i(mantissa), .length_i(length),
+    .start_i(step[START]),
+    .tri_i(tri3_q),
+    .dx1_i(offsets3_q.dx1), .dy1_i(offsets3_q.dy1), .dx2_i(offsets3_q.dx2), .dy2_i(offsets3_q.dy2),
+    .factors_i(step[START+3]), .mantissa_i(mantissa_q), .length_i(length_q),
+    // Where these stand in the cycle before the pipeline takes them
+    .offsets_i(step[START+7]),
+    .ref_x_i(START + 7 > 2 * I + 6 ? offsets4_q.ref_x : offsets3_q.ref_x),
+    .ref_y_i(START + 7 > 2 * I + 6 ? offsets4_q.ref_y : offsets3_q.ref_y),
+    .base_i(step[START+8]), .base_tri_i(START + 8 > 2 * I + 5 ? tri4_q : tri3_q),
     .valid_o(plane_valid), .index_o(plane_index),
-    .dx_o(plane_dx), .dy_o(plane_dy), .ref_o(plane_ref),
 `ifdef PINEDA_DEPTH
     .frame_i, .bias_o(bias),
 `ifdef PINEDA_HIERARCHICAL_Z
     .steep_o(steep),
 `endif
 `endif
-    .busy_o(planes_busy)
+    .dx_o(plane_dx), .dy_o(plane_dy), .ref_o(plane_ref)
   );
   pineda_pkg::setup_prim_t with_plane;
   setup_with_plane u_with_plane (
     .valid_i(plane_valid),
     .index_i(plane_index), .dx_i(plane_dx), .dy_i(plane_dy), .ref_i(plane_ref),
-    .prim_i(prim_q), .prim_o(with_plane)
+    .prim_i(step[EDGES] ? with_edges : prim_q), .prim_o(with_plane)
   );
-
-  logic complete;
-  assign complete = plane_valid && plane_index == INDEX_BITS'(PLANES - 1);
-  assign idle_o = step_q == '0 && !planes_busy && !prim_valid_q;
   always_ff @(posedge clk_i) begin
     if (advance) begin
-      if (step_q == STEP_BITS'(9)) prim_q <= with_edges;
       if (plane_valid) begin
         prim_q <= with_plane;
 `ifdef PINEDA_DEPTH
@@ -241,21 +260,15 @@ module setup_stepped (
         if (plane_index == '0) prim_q.z_steep <= steep;
 `endif
 `endif
+      end else if (step[EDGES]) begin
+        prim_q <= with_edges;
       end
     end
   end
 `else
-  logic complete;
-  assign complete = step_q == STEP_BITS'(9);
-  assign idle_o = step_q == '0 && !prim_valid_q;
   always_ff @(posedge clk_i) begin
-    if (advance && complete) prim_q <= with_edges;
+    if (advance && step[EDGES]) prim_q <= with_edges;
   end
 `endif
-
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) prim_valid_q <= 1'b0;
-    else if (advance) prim_valid_q <= complete;
-  end
 endmodule
 `endif

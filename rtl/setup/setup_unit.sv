@@ -28,6 +28,7 @@ module setup_unit (
 
   output logic                     idle_o
 );
+  logic working;
 `ifdef PINEDA_SETUP_STEPPED
   setup_stepped
 `elsif PINEDA_SETUP_PIPELINED
@@ -37,14 +38,14 @@ module setup_unit (
 `endif
   u_style (
     .clk_i, .rst_ni, .frame_i, .tri_valid_i, .tri_ready_o, .tri_i,
-    .prim_valid_o, .prim_ready_i, .prim_o, .idle_o
+    .prim_valid_o, .prim_ready_i, .prim_o, .working_o(working), .idle_o
   );
 
 `ifdef PINEDA_COUNTERS
-  // Frozen by its output; else busy when it takes a triangle, or cannot take one yet.
+  // Frozen by its output; else busy when it takes a triangle, or cannot yet take the next one.
   logic [2:0] cause;
   assign cause = prim_valid_o && !prim_ready_i ? cycle_cause_pkg::BLOCKED :
-                 tri_valid_i || !tri_ready_o ? cycle_cause_pkg::BUSY : cycle_cause_pkg::STARVED;
+                 (tri_valid_i && tri_ready_o) || working ? cycle_cause_pkg::BUSY : cycle_cause_pkg::STARVED;
   cycle_counters #(.Kinds(cycle_cause_pkg::CAUSES)) u_cycles (
     .clk_i, .count_i(1'b1), .kind_i(cause)
   );

@@ -188,6 +188,30 @@ module tile_walker (
     else if (prim_ready_o) busy_q <= prim_valid_i;
   end
 
+  // From this tile, or from the first one of the row, by the same adders
+  logic [3*EDGE_BITS-1:0] next_e;
+  for (genvar i = 0; i < 3; i++) begin : gen_next_e
+    assign next_e[i*EDGE_BITS +: EDGE_BITS] =
+        (row_end ? row_e_q[i*EDGE_BITS +: EDGE_BITS] : prim_q.e[i*EDGE_BITS +: EDGE_BITS]) +
+        (EDGE_BITS'(signed'(row_end ? prim_q.b[i*COEFF_BITS +: COEFF_BITS]
+                                    : prim_q.a[i*COEFF_BITS +: COEFF_BITS])) << TILE_LOG2);
+  end
+`ifdef PINEDA_DEPTH
+  logic [Z_BITS-1:0] next_z;
+  assign next_z = (row_end ? row_z_q : prim_q.z_ref) +
+                  ((row_end ? prim_q.z_dy : prim_q.z_dx) << TILE_LOG2);
+`endif
+`ifdef PINEDA_AFFINE
+  logic [ATTRIBUTES*ATTR_BITS-1:0] next_attr;
+  for (genvar i = 0; i < ATTRIBUTES; i++) begin : gen_next_attr
+    assign next_attr[i*ATTR_BITS +: ATTR_BITS] =
+        (row_end ? row_attr_q[i*ATTR_BITS +: ATTR_BITS]
+                 : prim_q.attr_ref[i*ATTR_BITS +: ATTR_BITS]) +
+        ((row_end ? prim_q.attr_dy[i*ATTR_BITS +: ATTR_BITS]
+                  : prim_q.attr_dx[i*ATTR_BITS +: ATTR_BITS]) << TILE_LOG2);
+  end
+`endif
+
   always_ff @(posedge clk_i) begin
     if (prim_valid_i && prim_ready_o) begin
       prim_q <= prim_i;
@@ -207,43 +231,15 @@ module tile_walker (
         x_q <= first_x;
         y_q <= y_q + INDEX_BITS'(1);
       end
-      for (int unsigned i = 0; i < 3; i++) begin
-        if (!row_end) begin
-          prim_q.e[i*EDGE_BITS +: EDGE_BITS] <=
-              prim_q.e[i*EDGE_BITS +: EDGE_BITS] +
-              (EDGE_BITS'(signed'(prim_q.a[i*COEFF_BITS +: COEFF_BITS])) << TILE_LOG2);
-        end else begin
-          prim_q.e[i*EDGE_BITS +: EDGE_BITS] <=
-              row_e_q[i*EDGE_BITS +: EDGE_BITS] +
-              (EDGE_BITS'(signed'(prim_q.b[i*COEFF_BITS +: COEFF_BITS])) << TILE_LOG2);
-          row_e_q[i*EDGE_BITS +: EDGE_BITS] <=
-              row_e_q[i*EDGE_BITS +: EDGE_BITS] +
-              (EDGE_BITS'(signed'(prim_q.b[i*COEFF_BITS +: COEFF_BITS])) << TILE_LOG2);
-        end
-      end
+      prim_q.e <= next_e;
+      if (row_end) row_e_q <= next_e;
 `ifdef PINEDA_DEPTH
-      if (!row_end) begin
-        prim_q.z_ref <= prim_q.z_ref + (prim_q.z_dx <<< TILE_LOG2);
-      end else begin
-        prim_q.z_ref <= row_z_q + (prim_q.z_dy <<< TILE_LOG2);
-        row_z_q <= row_z_q + (prim_q.z_dy <<< TILE_LOG2);
-      end
+      prim_q.z_ref <= next_z;
+      if (row_end) row_z_q <= next_z;
 `endif
 `ifdef PINEDA_AFFINE
-      for (int unsigned i = 0; i < ATTRIBUTES; i++) begin
-        if (!row_end) begin
-          prim_q.attr_ref[i*ATTR_BITS +: ATTR_BITS] <=
-              prim_q.attr_ref[i*ATTR_BITS +: ATTR_BITS] +
-              (prim_q.attr_dx[i*ATTR_BITS +: ATTR_BITS] << TILE_LOG2);
-        end else begin
-          prim_q.attr_ref[i*ATTR_BITS +: ATTR_BITS] <=
-              row_attr_q[i*ATTR_BITS +: ATTR_BITS] +
-              (prim_q.attr_dy[i*ATTR_BITS +: ATTR_BITS] << TILE_LOG2);
-          row_attr_q[i*ATTR_BITS +: ATTR_BITS] <=
-              row_attr_q[i*ATTR_BITS +: ATTR_BITS] +
-              (prim_q.attr_dy[i*ATTR_BITS +: ATTR_BITS] << TILE_LOG2);
-        end
-      end
+      prim_q.attr_ref <= next_attr;
+      if (row_end) row_attr_q <= next_attr;
 `endif
     end
   end

@@ -1,10 +1,11 @@
-// Traversal: the tiles of a triangle's box, then the stamps of each tile that is not rejected.
+// Traversal: the tiles of a triangle's box, in those that are not rejected the covered samples, and
+// of these the stamps.
 //
 // Bits     core::TileWalk and core::StampWalk define every output bit.
 // In       prim_i: edges and planes at the first sample of the box's first tile.
 // Out      stamp_o: coverage mask and planes of one stamp; never empty.
-// Rate     one tile test a cycle and one stamp test a cycle, side by side; no bubble inside an
-//          accepted tile. Latency 4 cycles from a triangle to its first stamp.
+// Rate     side by side, each a cycle: a tile tested, TESTED_STAMPS stamps tested, a stamp sent.
+//          Latency 4 cycles from a triangle to its first stamp.
 // Drops    tiles that an edge rejects or that are hidden, stamps without a covered sample.
 // Errors   none.
 // Twin     model/core/traversal.cpp. Source: Pineda, SIGGRAPH 1988.
@@ -53,14 +54,25 @@ module traversal_unit (
     .out_valid_o(tile_valid), .out_ready_i(tile_ready), .out_data_o(tile)
   );
 
-  stamp_walker u_stamps (
+  logic group_valid, group_ready, coverage_busy;
+  logic [(pineda_pkg::LANES<<pineda_pkg::TESTED_STAMPS_LOG2)-1:0] group;
+  pineda_pkg::stamp_t found;
+  coverage_finder u_coverage (
     .clk_i, .rst_ni,
     .tile_valid_i(tile_valid), .tile_ready_o(tile_ready), .tile_i(tile),
+    .group_valid_o(group_valid), .group_ready_i(group_ready), .group_o(group),
+    .stamp_o(found),
+    .busy_o(coverage_busy)
+  );
+  stamp_sender u_stamps (
+    .clk_i, .rst_ni,
+    .group_valid_i(group_valid), .group_ready_o(group_ready), .group_i(group),
+    .stamp_i(found),
     .stamp_valid_o, .stamp_ready_i, .stamp_o,
     .idle_o(stamps_idle)
   );
 
-  assign idle_o = !tiles_busy && !tile_valid && stamps_idle;
+  assign idle_o = !tiles_busy && !tile_valid && !coverage_busy && stamps_idle;
 
 `ifdef PINEDA_COUNTERS
   cycle_counters #(.Kinds(pineda_pkg::TILE_FIFO_DEPTH + 1)) u_levels (

@@ -52,12 +52,16 @@ int64_t token_bits(const spec::Contract& c) {
 
 int64_t buffer_bits(const spec::Contract& c) {
   const Design& d = c.design;
-  const int planes = d.stamp_fifo_depth + (d.depth_test ? d.plane_slots : 0);
-  const int64_t in_flight =
-      d.depth_test ? token_bits<spec::DepthRead>(c) + token_bits<spec::DepthData>(c) : 0;
-  return d.prim_fifo_depth * token_bits<spec::SetupPrim>(c) +
-         d.tile_fifo_depth * token_bits<spec::Tile>(c) + planes * token_bits<spec::Stamp>(c) +
-         c.width.inflight_stamps * in_flight;
+  const Widths& w = c.width;
+  const int64_t place = w.stamp_x + w.stamp_y + w.lanes + 1;  // of a stamp that waits
+  int64_t bits = d.prim_fifo_depth * token_bits<spec::SetupPrim>(c) +
+                 d.tile_fifo_depth * token_bits<spec::Tile>(c) + d.stamp_fifo_depth * place +
+                 d.plane_slots * token_bits<spec::Stamp>(c);
+  constexpr int kResponses = 2;
+  if (d.depth_test) {
+    bits += w.inflight_stamps * place + kResponses * token_bits<spec::DepthData>(c);
+  }
+  return bits;
 }
 
 int64_t memory_bits(const Design& d) {

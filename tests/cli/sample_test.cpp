@@ -26,13 +26,25 @@ Scene long_scene() {
   return scene;
 }
 
+// The same where every sample is written: what passes a depth test depends on triangles that a sample
+// leaves out.
+Scene long_scene_all_written() {
+  Scene scene = long_scene();
+  scene.depth = Depth::kLequal;
+  for (Triangle& triangle : scene.triangles) {
+    for (Vertex& vertex : triangle) vertex.z = .5f;
+  }
+  return scene;
+}
+
 // `more`: what else the command line says.
-void expect_near_the_full_run(const Arguments& more) {
+void expect_near_the_full_run(const Scene& scene, const std::string& option,
+                              const Arguments& more) {
   const Scratch scratch;
-  Arguments whole{"time", scratch.write("long.ptrb", ptrb_bytes(long_scene()))};
+  Arguments whole{"time", scratch.write("long.ptrb", ptrb_bytes(scene))};
   whole.insert(whole.end(), more.begin(), more.end());
   Arguments sample = whole;
-  sample.emplace_back("--sample");
+  sample.push_back(option);
   const Json full = figures(whole);
   const Json sampled = figures(sample);
   const auto cycles = full.at("drained").get<double>();
@@ -44,18 +56,23 @@ void expect_near_the_full_run(const Arguments& more) {
   for (const char* same : {"triangles", "memory", "depth_latency_cycles"}) {
     EXPECT_EQ(sampled.at(same), full.at(same)) << same;
   }
-  EXPECT_EQ(sampled.at("windows"), 30);
+  EXPECT_GE(sampled.at("windows"), 30);
   for (const char* partial : {"cycles", "counters", "units", "fifos", "input", "dram"}) {
     EXPECT_FALSE(sampled.contains(partial)) << partial;
   }
 }
 
-TEST(Sample, SaysWhatTheFullRunTakes) { expect_near_the_full_run({"--bench", "2"}); }
+TEST(Sample, SaysWhatTheFullRunTakes) {
+  expect_near_the_full_run(long_scene(), "--sample", {"--bench", "2"});
+}
 
-TEST(Sample, SaysWhatTheFullRunTakesBehindDram) { expect_near_the_full_run({"--memory", "dram"}); }
+TEST(Sample, SaysWhatTheFullRunTakesBehindDram) {
+  expect_near_the_full_run(long_scene_all_written(), "--sample=.45", {"--memory", "dram"});
+}
 
 TEST(Sample, SaysWhatTheFullRunTakesWithStalls) {
-  expect_near_the_full_run({"--stall", "both", "--latency", "20"});
+  expect_near_the_full_run(long_scene_all_written(), "--sample=.45",
+                           {"--stall", "both", "--latency", "20"});
 }
 
 TEST(Sample, ShareAndSeedCount) {

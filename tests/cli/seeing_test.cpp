@@ -10,7 +10,7 @@
 namespace pineda::test {
 namespace {
 
-const std::vector<std::string> kUnits{"setup", "tiles", "stamps", "interp_ztest"};
+const std::vector<std::string> kUnits{"setup", "tiles", "coverage", "stamps", "interp_ztest"};
 
 // Cycles of each unit by cause, "UNIT CAUSE", except those without work.
 using Sums = std::map<std::string, int64_t>;
@@ -41,7 +41,7 @@ Sums sums_of_timeline(const std::string& path) {
 
 // The end of the last slice of interp_ztest.
 int64_t end_of_timeline(const std::string& path) {
-  constexpr int kLane = 7;
+  constexpr int kLane = 9;
   const Json file = Json::parse(read_bytes(path));
   int64_t end = 0;
   for (const Json& e : file.at("traceEvents")) {

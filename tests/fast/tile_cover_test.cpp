@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "model/core/setup.h"
 #include "tests/core/hard_triangles.h"
 #include "tests/fast/levels.h"
@@ -17,7 +19,7 @@ struct Walk {
   std::vector<std::array<int64_t, 3>> stamps;  // x, y, mask
   std::vector<int> kept;                       // number of each tile that is kept
   std::vector<int> accepted;                   // of these, those that all edges accept
-  std::vector<int> tests;                      // of stamps, in each
+  std::vector<int> tests;                      // of groups of stamps, in each
   fast::StampsBySamples by_samples{};
 };
 
@@ -31,14 +33,16 @@ Walk core_walk(const spec::Contract& c, const spec::SetupPrim& prim) {
     walk.kept.push_back(number);
     if (tile.accepted == 7) walk.accepted.push_back(number);
     core::StampWalk stamps(c, tile);
-    walk.tests.push_back(stamps.tests());
+    std::set<std::pair<int, int>> groups;
     uint32_t mask = 0;
     int x = 0, y = 0;
     while (stamps.next(&mask, &x, &y)) {
+      groups.emplace(x >> c.width.tested_stamps_log2, y);
       if (mask == 0) continue;
       walk.stamps.push_back({x, y, mask});
       ++walk.by_samples[static_cast<size_t>(core::count_lanes(mask))];
     }
+    walk.tests.push_back(static_cast<int>(groups.size()));
   }
   return walk;
 }
@@ -46,7 +50,10 @@ Walk core_walk(const spec::Contract& c, const spec::SetupPrim& prim) {
 void add_stamps(const spec::Contract& c, const fast::TileCover& cover, Walk* walk) {
   const spec::Design& d = c.design;
   int count = 0, samples = 0, first = -1, last = -1;
+  std::set<int> groups;
   cover.covered.for_each_stamp([&](int place) {
+    EXPECT_EQ(cover.covered.before(place), count);
+    groups.insert(cover.box.test_of(place));
     const uint32_t mask = fast::lanes_of(d, cover.covered, place);
     const int columns_log2 = cover.box.columns_log2;
     walk->stamps.push_back(
@@ -58,6 +65,7 @@ void add_stamps(const spec::Contract& c, const fast::TileCover& cover, Walk* wal
     last = place;
   });
   EXPECT_EQ(cover.covered.count, count);
+  EXPECT_EQ(cover.covered.groups(c.width.tested_stamps_log2), static_cast<int>(groups.size()));
   EXPECT_EQ(cover.covered.sample_count, samples);
   if (count == 0) return;
   EXPECT_EQ(cover.covered.first, first);
@@ -105,6 +113,7 @@ TEST_P(TileCover, EqualsStampByStampForStampsOfEveryShape) {
       d.guard_bits = guard_bits;
       d.stamp_width_log2 = shape % 3;
       d.stamp_height_log2 = shape / 3;
+      d.tested_stamps_log2 = shape % 4;
       const spec::Contract c = spec::contract(d);
       for (int n = 0; n < 60; ++n) {
         spec::FrameState frame = hard_frame(random, d);

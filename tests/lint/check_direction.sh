@@ -38,7 +38,7 @@ function plugs(file) {
   return file == "tb/plugin.cpp" || file == "tb/bench_plugin.cpp"
 }
 function verilates(file) {
-  return plugs(file) || file ~ "^tests/rtl/(scheme|pipelined|setup)_rtl_test.cpp$"
+  return plugs(file) || file ~ "^tests/rtl/(scheme|pipelined|setup|multiplier)_rtl_test.cpp$"
 }
 function refuse(why) {
   printf "%s:%d: %s: %s\n", FILENAME, FNR, why, $0

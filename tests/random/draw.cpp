@@ -56,6 +56,7 @@ void draw_raster(Random* r, spec::Design* d) {
   d->tile_log2 = r->between(2, 6);
   draw(r, &spec::Design::stamp_width_log2, d);
   draw(r, &spec::Design::stamp_height_log2, d);
+  draw(r, &spec::Design::tested_stamps_log2, d);
   d->hierarchical_z = one_in(r, 2);
   draw(r, &spec::Design::hierarchical_z_bits, d);
   d->hierarchical_z_tiles = scaled(r, 14);

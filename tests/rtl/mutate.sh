@@ -30,8 +30,8 @@ fault rtl/interp/interp_ztest_unit.sv "s/\(DEPTH_LESS: .*\)3'b100/\13'b110/"
 # Top: the memories are always told to clear depth to the greatest code.
 fault rtl/raster_top.sv "s/clear_depth_o = .*;/clear_depth_o = '1;/"
 
-# Counters: a stamp walker that waits is busy.
-fault rtl/traversal/stamp_walker.sv 's/cycle_cause_pkg::BLOCKED/cycle_cause_pkg::BUSY/'
+# Counters: coverage that waits is busy.
+fault rtl/traversal/coverage_finder.sv 's/cycle_cause_pkg::BLOCKED/cycle_cause_pkg::BUSY/'
 
 # Package: two fields of a tile change places. It is generated, so its generator is wrapped.
 cat > "$folder/emit" <<WRAPPER

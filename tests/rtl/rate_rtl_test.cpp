@@ -53,13 +53,13 @@ TEST(SetupRtlRate, TakesATriangleAtEveryInterval) {
   EXPECT_EQ(gaps(accepted), std::vector<Cycle>(19, interval));
 }
 
-TEST(SetupRtlRate, DroppedTriangleTakesFiveCycles) {
+TEST(SetupRtlRate, DroppedTriangleTakesSixCycles) {
   SetupBench bench(rtl(), BenchOptions());
   bench.set_frame(frame(64, 64));
   std::vector<Cycle> accepted;
   const auto out = bench.run(std::vector<Triangle>(20, triangle(5, 5, 10, 10, 20, 20)), &accepted);
   EXPECT_TRUE(out.tokens.empty());
-  EXPECT_EQ(gaps(accepted), std::vector<Cycle>(19, 5));
+  EXPECT_EQ(gaps(accepted), std::vector<Cycle>(19, 6));
 }
 
 TEST(TraversalRtlRate, NoBubbleInsideAcceptedTiles) {
@@ -100,9 +100,9 @@ TEST_P(InterpZtestRtlRate, TakesAStampACycleWithoutHazards) {
   EXPECT_EQ(accepted.back() - accepted.front(), 32 * 32 - 1);
 }
 
-// The first stamp's read is accepted in t and its data come in t + latency; they are tested in the
-// next cycle and written in the one after. The second read follows the write. A latency of 2 is
-// hidden behind the interpolation of the depths.
+// A stamp's read is accepted in t and its data come in t + latency; they are tested in the next
+// cycle and written in the one after. The next read follows the write. A latency of 3 is hidden
+// behind the interpolation of the depths. Once the FIFO in front is full, stamps come at that rate.
 TEST_P(InterpZtestRtlRate, SameAddressWaitsForTheWriteAndNoLonger) {
   const auto state = frame(64, 64);
   BenchOptions options;
@@ -110,8 +110,10 @@ TEST_P(InterpZtestRtlRate, SameAddressWaitsForTheWriteAndNoLonger) {
   const auto one = stamps(state, {triangle(-100, -10, 200, -10, 32, 400)})[0];
   InterpZtestBench bench(rtl(), options);
   std::vector<Cycle> accepted;
-  bench.run(state, std::vector<spec::Stamp>(6, one), &accepted);
-  EXPECT_EQ(gaps(accepted), std::vector<Cycle>(5, std::max(GetParam(), 2) + 3));
+  const auto fifo = static_cast<size_t>(rtl().contract().design.stamp_fifo_depth);
+  bench.run(state, std::vector<spec::Stamp>(fifo + 8, one), &accepted);
+  accepted.erase(accepted.begin(), accepted.begin() + static_cast<std::ptrdiff_t>(fifo) + 1);
+  EXPECT_EQ(gaps(accepted), std::vector<Cycle>(6, std::max(GetParam(), 3) + 3));
 }
 
 TEST_P(InterpZtestRtlRate, TimeDoesNotDependOnDepth) {
@@ -167,6 +169,10 @@ TEST(HandshakeRtl, ValidRisesWhileReadyIsLow) {
   SinkEnd<spec::DepthRead> read(interp, "depth_rd");
   interp.reset();
   stamp.offer(stamps(frame(8, 8), {triangle(0, 0, 8, 0, 0, 8)})[0]);
+  interp.settle();
+  ASSERT_TRUE(stamp.taken());
+  interp.clock();
+  stamp.withdraw();
   interp.settle();
   EXPECT_TRUE(read.offered());
 }

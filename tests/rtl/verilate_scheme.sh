@@ -7,7 +7,7 @@ rtl=$1 top=$2 package=$3 folder=$4 verilator=$5
 name=$(basename "$folder")
 rm -rf "$folder"
 mkdir -p "$folder/rtl"
-cp "$rtl"/reciprocal/*.sv "$rtl"/setup/*.sv "$rtl"/lib/delay_line.sv "$folder/rtl"
+cp "$rtl"/reciprocal/*.sv "$rtl"/setup/*.sv "$rtl"/lib/delay_line.sv "$rtl"/lib/multiplier.sv "$folder/rtl"
 if [ $# -gt 5 ]; then
   sed -i "$6" "$folder"/rtl/*.sv
   changed=no

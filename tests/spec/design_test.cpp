@@ -275,21 +275,20 @@ TEST(ReciprocalCycles, OneToAlignAndTheSchemesOwn) {
   EXPECT_EQ(cycles("restoring4_odd"), 17);
 }
 
-// Planes start when both the reciprocal and the differences are ready: here they wait for the
-// differences.
-TEST(SetupCycles, PlanesStartWhenBothReciprocalAndDifferencesAreThere) {
-  EXPECT_EQ(widths(kHighTile).setup_planes_step, 8);
-  EXPECT_EQ(widths(kHighTile).setup_interval_cycles, 12);
-  EXPECT_EQ(widths(kSchemes[0]).setup_planes_step, 6);
-  EXPECT_EQ(widths(kSchemes[0]).setup_interval_cycles, 10);
-  EXPECT_EQ(widths(*find_design("div28")).setup_planes_step, 32);
-  EXPECT_EQ(widths(*find_design("div28")).setup_interval_cycles, 36);
-  // One plane behind a slow reciprocal: the step that starts the reciprocal is part of the
-  // interval.
-  Design lone = *find_design("div28");
-  lone.attributes = 0;
-  EXPECT_EQ(widths(lone).setup_planes_step, 32);
-  EXPECT_EQ(widths(lone).setup_interval_cycles, 33);
+// Six products of one multiplier, the slots of the planes, or the reciprocal.
+TEST(SetupCycles, IntervalIsThatOfTheBusiest) {
+  EXPECT_EQ(widths(kHighTile).setup_interval_cycles, 6);
+  EXPECT_EQ(widths(kHighTile).setup_planes_step, 12);
+  EXPECT_EQ(widths(kSchemes[0]).setup_interval_cycles, 6);
+  EXPECT_EQ(widths(*find_design("div28")).setup_interval_cycles, 30);
+  EXPECT_EQ(widths(*find_design("div28")).setup_planes_step, 36);
+  Design many = kHighTile;
+  many.attributes = 16;  // and two slots of depth
+  EXPECT_EQ(widths(many).setup_interval_cycles, 18);
+  many.depth_test = false;
+  EXPECT_EQ(widths(many).setup_interval_cycles, 16);
+  many.attributes = 0;
+  EXPECT_EQ(widths(many).setup_interval_cycles, 6);
 }
 
 }  // namespace

@@ -50,11 +50,11 @@ TEST(CounterTable, HoldsEveryMemberOnceUnderANameOfItsOwn) {
   }
   EXPECT_EQ(names.size(), list.size());
   EXPECT_EQ(counts.size(), list.size());
-  // 1 + 4 units * 5 causes + levels of FIFOs of 4, 2 and 4 slots + 3 ports + 17 stamps + 2, and 14
+  // 1 + 5 units * 5 causes + levels of FIFOs of 2, 4 and 4 slots + 3 ports + 17 stamps + 2, and 14
   // of the frame.
-  EXPECT_EQ(list.size(), 56u + 14u);
+  EXPECT_EQ(list.size(), 61u + 14u);
   EXPECT_EQ(*counts.begin(), 1);
-  EXPECT_EQ(*counts.rbegin(), 70);
+  EXPECT_EQ(*counts.rbegin(), 75);
   // No member is missing in the table.
   EXPECT_GT(result.spent.drained, 0);
   for (const auto& unit : result.spent.units) {

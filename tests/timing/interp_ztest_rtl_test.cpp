@@ -39,6 +39,7 @@ class Unit {
  public:
   explicit Unit(const spec::Contract& contract)
       : contract_(contract),
+        stamps_("stamps", contract.design.stamp_fifo_depth),
         unit_("unit", contract),
         ports_("ports", contract),
         memory_("memory", contract, memory::make_timing(memory::Kind::kIdeal, contract, 1)) {
@@ -46,6 +47,7 @@ class Unit {
       unit_.depth_io(ports_);
       ports_.depth.socket.bind(memory_.depth_socket);
     }
+    stamps_.out_o(unit_.stamp_i);
     unit_.color_wr_o(ports_);
     ports_.color.socket.bind(memory_.color_socket);
     sc_core::sc_start(sc_core::SC_ZERO_TIME);
@@ -63,6 +65,7 @@ class Unit {
     frame_.state = state;
     frame_.listener = listener;
     frame_.tokens = true;
+    stamps_.begin_frame(nullptr);
     unit_.begin_frame(&frame_);
     // The next stamp is offered in the first cycle, after the last one was taken, in which the
     // input does not stall.
@@ -70,7 +73,7 @@ class Unit {
     Cycle offered = 0;
     for (const spec::Stamp& stamp : stamps) {
       while (stalls(tb::Port::kInput, offered)) ++offered;
-      accepted_.push_back(unit_.take(tiled_(stamp), offered));
+      accepted_.push_back(stamps_.push(tiled_(stamp), offered));
       offered = accepted_.back() + 1;
     }
     unit_.drain();
@@ -80,6 +83,7 @@ class Unit {
 
  private:
   spec::Contract contract_;
+  timing::StampFifo stamps_;
   timing::InterpZtestUnit unit_;
   Tiled tiled_{contract_};
   std::vector<Cycle> accepted_;

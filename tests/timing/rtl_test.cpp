@@ -157,10 +157,10 @@ TEST_P(RtlDesigns, EqualAtEveryLatencyUnderEveryStall) {
   }
   EXPECT_GT(comparison.stamps(), 5000u);
   // Agreeing counters show nothing if they are 0.
-  for (const char* name :
-       {"dropped.zero_area", "dropped.facing", "dropped.no_sample", "dropped.outside",
-        "setup.blocked", "tiles.blocked", "stamps.blocked", "interp_ztest.starved",
-        "tiles_rejected", "tiles_accepted", "prims.level_2", "color_write.stalls"}) {
+  for (const char* name : {"dropped.zero_area", "dropped.facing", "dropped.no_sample",
+                           "dropped.outside", "setup.blocked", "tiles.blocked", "coverage.blocked",
+                           "stamps.blocked", "interp_ztest.starved", "tiles_rejected",
+                           "tiles_accepted", "prims.level_1", "color_write.stalls"}) {
     EXPECT_GT(comparison.counted(name), 0) << name;
   }
   if (!contract.design.depth_test) return;
@@ -236,7 +236,7 @@ TEST(RtlLatency, OneCycleLessInTheModelIsNoticed) {
   EXPECT_NE(comparison.run(scene, options, 8), "");
 }
 
-// The mutant RTL counts a waiting stamp walker as busy; its other faults do not show on this scene.
+// The mutant RTL counts coverage that waits as busy; its other faults do not show on this scene.
 // Exactly the two wrong counters are named.
 TEST(RtlCountersMutant, BlockedCountedAsBusyIsNoticed) {
   const tb::RtlLibrary library(kContract, PINEDA_RTL_MUTANT);
@@ -251,8 +251,8 @@ TEST(RtlCountersMutant, BlockedCountedAsBusyIsNoticed) {
   const auto differences = timing::counter_differences(timing::counter_list(kContract, model),
                                                        timing::counter_list(kContract, rtl));
   ASSERT_EQ(differences.size(), 2u) << counters_that_differ(kContract, model, rtl);
-  EXPECT_EQ(differences[0].name, "stamps.busy");
-  EXPECT_EQ(differences[1].name, "stamps.blocked");
+  EXPECT_EQ(differences[0].name, "coverage.busy");
+  EXPECT_EQ(differences[1].name, "coverage.blocked");
   EXPECT_EQ(differences[1].rtl, 0);
 }
 

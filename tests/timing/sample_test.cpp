@@ -127,7 +127,7 @@ class SampledStreams : public Sampled, public testing::WithParamInterface<Stream
 
 TEST_P(SampledStreams, IntervalHoldsTheFullRunForMostSeeds) {
   const auto cycles = static_cast<double>(full_run(scene_));
-  const auto plan = studies::plan_sample(*scene_.source->size(), .2);
+  const auto plan = studies::plan_sample(*scene_.source->size(), .4);
   ASSERT_TRUE(plan);
   int hits = 0;
   int narrow_hits = 0;

@@ -48,62 +48,72 @@ class SetupTiming : public testing::Test {
   timing::SetupUnit setup_{"setup", kContract};
 };
 
-TEST_F(SetupTiming, TriangleEveryIntervalAndDroppedOnesEveryFive) {
+TEST_F(SetupTiming, TriangleEveryIntervalDroppedOnesToo) {
   Source source({good_, good_, bad_, bad_, good_}, {2, 0, 0, 0, 50});
   Sink sink({0, 0, 0});
   run(&source, &sink);
-  EXPECT_EQ(source.taken, (Cycles{2, 14, 26, 31, 50}));
-  EXPECT_EQ(sink.offered, (Cycles{21, 33, 69}));
-  EXPECT_EQ(setup_.idle_from(), 70);
-  const auto cycles = setup_.cycles(70);
-  EXPECT_EQ(cycles[Cause::kBusy], 3 * 12 + 2 * 5);
+  EXPECT_EQ(source.taken, (Cycles{2, 8, 14, 20, 50}));
+  EXPECT_EQ(sink.offered, (Cycles{29, 35, 77}));
+  EXPECT_EQ(setup_.idle_from(), 78);
+  const auto cycles = setup_.cycles(78);
+  EXPECT_EQ(cycles[Cause::kBusy], 5 * 6);
   EXPECT_EQ(cycles[Cause::kBlocked], 0);
-  EXPECT_EQ(cycles[Cause::kStarved], 2 + 14 + 8);
+  EXPECT_EQ(cycles[Cause::kStarved], 2 + 24 + 22);
 }
 
-// The first output waits from 21 to 30: 9 cycles. The second triangle was accepted before; the
-// third is accepted 9 cycles later, and the second output is also 9 cycles later.
+// While a triangle is inside, the next one is taken a multiple of 6 cycles later.
+TEST_F(SetupTiming, TriangleWaitsForItsTurn) {
+  Source source({good_, good_, good_, good_}, {2, 9, 15, 49});
+  Sink sink({0, 0, 0, 0});
+  run(&source, &sink);
+  EXPECT_EQ(source.taken, (Cycles{2, 14, 20, 49}));  // the third one has left in 47
+  EXPECT_EQ(setup_.cycles(77)[Cause::kBusy], 4 * 6);
+}
+
+// The first output waits from 29 to 38: 9 cycles. Four triangles were accepted before; the sixth is
+// accepted 9 cycles later, and all other outputs are also 9 cycles later.
 TEST_F(SetupTiming, OutputNotTakenFreezesTheWholeUnit) {
-  Source source({good_, good_, good_}, {2, 0, 0});
-  Sink sink({30, 0, 0});
+  Source source({good_, good_, good_, good_, good_, good_}, {2, 0, 0, 0, 0, 0});
+  Sink sink({38, 0, 0, 0, 0, 0});
   run(&source, &sink);
-  EXPECT_EQ(source.taken, (Cycles{2, 14, 35}));
-  EXPECT_EQ(sink.offered, (Cycles{21, 42, 54}));
-  EXPECT_EQ(setup_.cycles(55)[Cause::kBlocked], 9);
+  EXPECT_EQ(source.taken, (Cycles{2, 8, 14, 20, 26, 41}));
+  EXPECT_EQ(sink.offered, (Cycles{29, 44, 50, 56, 62, 68}));
+  EXPECT_EQ(setup_.cycles(69)[Cause::kBlocked], 9);
 }
 
-TEST_F(SetupTiming, TriangleThatComesDuringAFreezeIsTakenAsItEnds) {
-  Source source({good_, good_}, {2, 25});
-  Sink sink({30, 0});
+// It is empty in the cycle after.
+TEST_F(SetupTiming, TriangleThatComesDuringAFreezeIsTakenAfterIt) {
+  Source source({good_, good_}, {2, 33});
+  Sink sink({38, 0});
   run(&source, &sink);
-  EXPECT_EQ(source.taken, (Cycles{2, 30}));
-  EXPECT_EQ(sink.offered, (Cycles{21, 49}));
+  EXPECT_EQ(source.taken, (Cycles{2, 39}));
+  EXPECT_EQ(sink.offered, (Cycles{29, 66}));
 }
 
-TEST_F(SetupTiming, TriangleThatComesInTheFirstCycleOfAFreezeIsTakenAsItEnds) {
-  Source source({good_, good_}, {2, 21});
-  Sink sink({30, 0});
+TEST_F(SetupTiming, TriangleThatComesInTheFirstCycleOfAFreezeIsTakenAfterIt) {
+  Source source({good_, good_}, {2, 29});
+  Sink sink({38, 0});
   run(&source, &sink);
-  EXPECT_EQ(source.taken, (Cycles{2, 30}));
+  EXPECT_EQ(source.taken, (Cycles{2, 39}));
 }
 
-TEST_F(SetupTiming, TriangleThatComesInTheLastCycleBeforeAFreezeIsTaken) {
-  Source source({good_, good_}, {2, 20});
-  Sink sink({30, 0});
+TEST_F(SetupTiming, TriangleThatComesInTheLastTurnBeforeAFreezeIsTaken) {
+  Source source({good_, good_}, {2, 26});
+  Sink sink({38, 0});
   run(&source, &sink);
-  EXPECT_EQ(source.taken, (Cycles{2, 20}));
-  EXPECT_EQ(sink.offered, (Cycles{21, 48}));
+  EXPECT_EQ(source.taken, (Cycles{2, 26}));
+  EXPECT_EQ(sink.offered, (Cycles{29, 62}));
 }
 
 // Two freezes end before the third triangle comes.
 TEST_F(SetupTiming, FreezesAddUp) {
   Source source({good_, good_, good_, good_}, {2, 0, 100, 0});
-  Sink sink({30, 50, 0, 0});
+  Sink sink({38, 60, 0, 0});
   run(&source, &sink);
-  EXPECT_EQ(source.taken, (Cycles{2, 14, 100, 112}));
-  EXPECT_EQ(sink.offered, (Cycles{21, 42, 119, 131}));
-  EXPECT_EQ(setup_.cycles(132)[Cause::kBlocked], 9 + 8);
-  EXPECT_EQ(setup_.cycles(132)[Cause::kBusy], 48);
+  EXPECT_EQ(source.taken, (Cycles{2, 8, 100, 106}));
+  EXPECT_EQ(sink.offered, (Cycles{29, 44, 127, 133}));
+  EXPECT_EQ(setup_.cycles(134)[Cause::kBlocked], 9 + 16);
+  EXPECT_EQ(setup_.cycles(134)[Cause::kBusy], 24);
 }
 
 }  // namespace

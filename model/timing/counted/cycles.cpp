@@ -9,6 +9,7 @@ struct UnitWords {
 };
 constexpr UnitWords kUnitWords[kUnits] = {{"setup", "setup"},
                                           {"tiles", "traversal, tiles"},
+                                          {"coverage", "traversal, coverage"},
                                           {"stamps", "traversal, stamps"},
                                           {"interp_ztest", "interp_ztest"}};
 

@@ -19,9 +19,9 @@ using memory::port_name;
 /// From this cycle on the memories are asked to clear; once they have, triangles are taken.
 inline constexpr Cycle kClearOffered = 1;
 
-/// What has a time of its own: setup, the two walkers of traversal, interpolation and depth test.
-enum class Unit : uint8_t { kSetup, kTiles, kStamps, kInterpZtest };
-inline constexpr size_t kUnits = 4;
+/// What has a time of its own: setup, the three stages of traversal, interpolation and depth test.
+enum class Unit : uint8_t { kSetup, kTiles, kCoverage, kStamps, kInterpZtest };
+inline constexpr size_t kUnits = 5;
 
 /// What a unit does in a cycle. Where several hold, the first one counts, in the order: starved,
 /// hazard, blocked, memory. Setup works on several triangles at a time, so for it: blocked while an
@@ -35,7 +35,7 @@ enum class Cause : uint8_t {
 };
 inline constexpr size_t kCauses = 5;
 
-const char* unit_name(Unit unit);     // "setup", "tiles", "stamps", "interp_ztest"
+const char* unit_name(Unit unit);     // "setup", "tiles", "coverage", "stamps", ...
 const char* unit_title(Unit unit);    // for a person: "traversal, tiles"
 const char* cause_name(Cause cause);  // "busy", "starved", "blocked", "hazard", "memory"
 const char* cause_meaning(Cause cause);

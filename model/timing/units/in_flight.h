@@ -25,17 +25,13 @@ class InFlight {
   /// From this cycle on that stamp is not in flight.
   Cycle stamp_free(size_t tile, int place);
 
-  /// All stamps of a tile. The stamp of test k retires in `retire` + k.
-  void run(size_t tile, const fast::TileCover& cover, Cycle retire) {
-    const fast::StampBox& box = cover.box;
+  /// All stamps of a tile. The k-th one, from 0, retires in `retire` + k.
+  void run(size_t tile, const fast::TileSamples& covered, Cycle retire) {
     Tile& t = tiles_[tile];
-    t.last = static_cast<uint16_t>(box.test_of(cover.covered.last));
-    t.free = retire + t.last + 1;
-    t.column0 = static_cast<uint8_t>(box.column0);
-    t.columns = static_cast<uint8_t>(box.columns);
-    t.row0 = static_cast<uint8_t>(box.row0);
+    t.count = covered.count;
+    t.free = retire + t.count;
     t.is_run = true;
-    for (size_t i = 0; i < words_; ++i) stamps_[tile * words_ + i] = cover.covered.stamps[i];
+    for (size_t i = 0; i < words_; ++i) stamps_[tile * words_ + i] = covered.stamps[i];
   }
   /// A stamp, after stamp_free() was asked for it.
   void stamp(size_t tile, int place, Cycle free) {
@@ -45,15 +41,13 @@ class InFlight {
  private:
   struct Tile {
     Cycle free = 0;
-    // The last run: its last test, and the part of its box that numbers its tests.
-    uint16_t last = 0;
-    uint8_t column0 = 0, columns = 0, row0 = 0;
+    int count = 0;       // stamps of the last run
     bool is_run = true;  // it is not written down stamp by stamp
   };
   void write_down(size_t tile);
 
-  int columns_log2_, stamps_log2_;  // of a tile
-  size_t words_;                    // that hold a bit for each stamp of a tile
+  int stamps_log2_;  // of a tile
+  size_t words_;     // that hold a bit for each stamp of a tile
   std::vector<Tile> tiles_;
   std::vector<uint64_t> stamps_;  // by tile: the stamps of its last run
   std::vector<Cycle> free_;       // by tile and place, of what is written down

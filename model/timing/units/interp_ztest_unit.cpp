@@ -34,7 +34,7 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
   tile_stamps_log2_ = fast::stamps_log2(d);
   write_free_ = retired_ = exit_ = -1;
   // Nothing has been loaded in cycle -1 or before: all slots are free.
-  tile_loads_.assign(d.depth_test ? static_cast<size_t>(d.plane_slots) - 1 : 0, -1);
+  tile_loads_.assign(static_cast<size_t>(d.plane_slots) - 1, -1);
   tiles_accepted_ = tiles_loaded_ = 0;
 
   if (!frame->tokens) {
@@ -43,8 +43,8 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
                     all ? fast::TileShader::Values::kAll : fast::TileShader::Values::kDepth);
     in_flight_.begin_frame(tiles);
     pass_cycles_ = !d.depth_test ? 1
-                   : !tests_     ? 4
-                                 : std::max<Cycle>(3, frame->depth_latency + 1) + 1;
+                   : !tests_     ? 5
+                                 : std::max<Cycle>(4, frame->depth_latency + 1) + 1;
     return;
   }
   shader_.reset();
@@ -82,7 +82,6 @@ Cycle InterpZtestUnit::take_direct(const StampToken& stamp, Cycle visible) {
   const size_t tile = tile_of(cover);
   time_.starve(visible);
   if (tests_) time_.spend(Cause::kHazard, in_flight_.stamp_free(tile, stamp.place), stamp.id());
-  if (first) time_.spend(Cause::kBlocked, planes_free(), stamp.id());
   const Cycle accepted = time_.now();
   if (first) keep_planes(accepted + pass_cycles_ - 1);
   time_.work(1, stamp.id());
@@ -104,18 +103,23 @@ bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
   if (frame_->tokens) return false;
   const fast::TileCover& cover = *tile.cover;
   const fast::TileSamples& covered = cover.covered;
-  const Cycle first = first_visible + cover.box.test_of(covered.first);
   const size_t number = tile_of(cover);
-  if (time_.now() > first || (tests_ && in_flight_.tile_free(number) > first)) return false;
-  if (planes_free() > first) return false;
-  keep_planes(first + pass_cycles_ - 1);
+  if (time_.now() > first_visible) return false;
+  if (tests_ && in_flight_.tile_free(number) > first_visible) return false;
+  // The stamps enter the FIFO a cycle before they are visible. All but the first one find room for
+  // the tile after this one.
+  if (planes_free(tiles_accepted_) >= first_visible) return false;
+  if (covered.count > 1 &&
+      (tile_loads_.size() == 1 || planes_free(tiles_accepted_ + 1) > first_visible)) {
+    return false;
+  }
+  keep_planes(first_visible + pass_cycles_ - 1);
   draw(tile);
-  time_.starve(first);
-  const int last = cover.box.test_of(covered.last);
-  time_.work_at_times(covered.count, first_visible + last + 1);
-  const Cycle retire = first_visible + pass_cycles_;  // of the first test
-  write_free_ = retire + last;
-  if (tests_) in_flight_.run(number, cover, retire);
+  time_.starve(first_visible);
+  time_.work(covered.count, tile.prim->id);
+  const Cycle retire = first_visible + pass_cycles_;  // of the first stamp
+  write_free_ = retire + covered.count - 1;
+  if (tests_) in_flight_.run(number, covered, retire);
   if (frame_->last_write != nullptr) {
     frame_->last_write->run(cover.x, cover.y, retire);
   } else {
@@ -124,15 +128,18 @@ bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
   return true;
 }
 
-// From this cycle on the next tile's first stamp finds a slot for its planes.
-Cycle InterpZtestUnit::planes_free() const {
-  if (tile_loads_.empty()) return 0;
-  return tile_loads_[tiles_accepted_ % tile_loads_.size()] + 1;
+Cycle InterpZtestUnit::has_room() {
+  if (frame_->tokens) wait_for_planes();
+  return planes_free(tiles_accepted_);
+}
+
+// From this cycle on there is a slot for the planes of a tile, given by its number.
+Cycle InterpZtestUnit::planes_free(uint64_t tile) const {
+  return tile_loads_[tile % tile_loads_.size()] + 1;
 }
 
 // Notes a tile whose first stamp is accepted, and where memories are always ready is loaded then.
 void InterpZtestUnit::keep_planes(Cycle loaded) {
-  if (tile_loads_.empty()) return;
   tile_loads_[tiles_accepted_++ % tile_loads_.size()] = loaded;
 }
 
@@ -142,14 +149,15 @@ void InterpZtestUnit::draw(const TileToken& tile) {
   shader_->draw(*tile.cover, frame_->buffer);
 }
 
-// Notes the writes of a tile's stamps that passed. The stamp of test k writes in `retire` + k.
+// Notes the writes of a tile's stamps that passed. The k-th covered one, from 0, writes in
+// `retire` + k.
 void InterpZtestUnit::pass_run(const fast::TileCover& cover, Cycle retire) {
   const fast::TileSamples& passed = frame_->has_values ? shader_->passed() : cover.covered;
   if (passed.count == 0) return;
-  pass(retire + cover.box.test_of(passed.last));
+  pass(retire + cover.covered.before(passed.last));
   if (!writes_depth_ || frame_->hierarchical_z == nullptr) return;
   passed.for_each_stamp(
-      [&](int place) { update(cover, place, retire + cover.box.test_of(place)); });
+      [&](int place) { update(cover, place, retire + cover.covered.before(place)); });
 }
 
 // Notes the writes of a stamp that retires in `retire`.
@@ -178,6 +186,7 @@ Cycle InterpZtestUnit::take_token(const StampToken& token, Cycle visible) {
   const spec::Stamp& stamp = *token.tile->stamp;
   const size_t address = address_of(*token.tile->cover, token.place);
   spec::DepthData data{};
+  if (token.is_first()) ++tiles_accepted_;
   time_.starve(visible);
   Cycle response = 0;
   const Cycle accepted = accept(token, address, &data, &response);
@@ -188,8 +197,8 @@ Cycle InterpZtestUnit::take_token(const StampToken& token, Cycle visible) {
   stored.address = address;
   stored.first = token.is_first();
   stored.data = !contract_.design.depth_test ? accepted
-                : tests_                     ? std::max(accepted + 3, response + 1)
-                                             : accepted + 3;
+                : tests_                     ? std::max(accepted + 4, response + 1)
+                                             : accepted + 4;
   pending_[address] = ++accepted_count_;
   return accepted;
 }
@@ -207,11 +216,6 @@ Cycle InterpZtestUnit::accept(const StampToken& token, size_t address, spec::Dep
   }
   if (accepted_count_ >= slot_free_.size()) wait_for(accepted_count_ - slot_free_.size() + 1);
   time_.spend(Cause::kBlocked, slot_free_[accepted_count_ % slot_free_.size()], token.id());
-  if (token.is_first()) {
-    wait_for_planes();
-    time_.spend(Cause::kBlocked, planes_free(), token.id());
-    ++tiles_accepted_;
-  }
   if (!tests_) return time_.now();
   const Cycle accepted = read(*token.tile->stamp, data, response);
   count_stall(MemoryPort::kDepthRead, accepted - time_.now());
@@ -333,7 +337,7 @@ bool InterpZtestUnit::turn() {
     r = {};
     r.loaded = true;
     r.offered = r.write_offered = r.enter = std::max(stored.data, write_free_) + 1;
-    if (stored.first && !tile_loads_.empty()) {
+    if (stored.first) {
       tile_loads_[tiles_loaded_++ % tile_loads_.size()] = r.offered - 1;
     }
     r.entered = stored.passed == 0;

@@ -32,18 +32,17 @@ namespace pineda::timing {
 ///               visible[n], accept[p] + 1,
 ///               retire[m] + 1 of the last stamp m with the same address, unless the test is off,
 ///               retire[n - T] + 1, since stamps leave the table in order and so free its slots in
-///               order,
-///               load[f] + 1, if n is the first stamp of a tile and f that of the tile
-///               design.plane_slots - 1 before: a tile's planes are kept until the first stamp of
-///               the next one is loaded
-///   load[n]   = max(accept[n] + 3, response[n] + 1, retire[p], enter[p])
-///               The queue of stamps, the depth interpolator's register and the FIFO behind it take
-///               3 cycles, the response FIFO takes 1. The queues are as deep as the table, so they
-///               never push back; depths are interpolated up to 4 stamps ahead, which is enough for
-///               a stamp a cycle. The write register is free again in the cycle in which its depth
+///               order
+///   load[n]   = max(accept[n] + 4, response[n] + 1, retire[p], enter[p])
+///               The queue of stamps takes a cycle, the depth interpolator 3, the response FIFO 1.
+///               The queue is as deep as the table. A response that finds its FIFO full waits, but
+///               then a stamp before it is loaded two cycles later or more. The write register is free again in the cycle in which its depth
 ///               is written and its colours have left.
 ///   retire[n] = the cycle in which the depth write, offered from load[n] + 1 on, is accepted;
 ///               load[n] + 1 if there is nothing to write.
+/// A stamp enters the FIFO in front only when there is a slot for the planes of one more tile; those
+/// of a tile are kept until the first stamp of the next one is loaded. So it waits for load[f] + 1,
+/// with f the first stamp of the tile that came design.plane_slots - 1 tiles before the next one.
 /// A design without depth has neither table nor queues:
 ///   accept[n] = load[n] = max(visible[n], accept[p] + 1, enter[p])
 /// Only stamps with a sample that passed have colours. Let q be the one before n, and
@@ -56,12 +55,12 @@ namespace pineda::timing {
 /// the first cycle in which the colour port is ready, from load[n] + 1 on.
 ///
 /// Where memories are always ready and answer in R cycles, nothing behind the read waits. By
-/// induction: if retire[p] = enter[p] = accept[p] + C with C = max(3, R + 1) + 1, then both are at
+/// induction: if retire[p] = enter[p] = accept[p] + C with C = max(4, R + 1) + 1, then both are at
 /// most accept[n] + C - 1 = load[n]; and where T >= C + 1, a slot is free whenever a stamp comes.
 /// Hence
-///   accept[n] = max(visible[n], accept[p] + 1, retire[m] + 1, accept[f] + C),
+///   accept[n] = max(visible[n], accept[p] + 1, retire[m] + 1),
 ///   retire[n] = enter[n] = accept[n] + C,  exit[n] = enter[n] + L,
-/// with C = 4 if depths are not read, 1 in a design without depth. So the stamps of a tile of which
+/// with C = 5 if depths are not read, 1 in a design without depth. So the stamps of a tile of which
 /// none is in flight can be timed all at once.
 ///
 /// Other memories are served in the order of time: a read that is offered in t comes after every
@@ -81,6 +80,7 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   }
   void begin_frame(Frame* frame);
   Cycle take(const StampToken& stamp, Cycle visible) override;
+  Cycle has_room() override;
   bool take_run(const TileToken& tile, Cycle first_visible) override;
   /// Serves the memories until all writes offered before `until` are done.
   void advance(Cycle until);
@@ -143,7 +143,7 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   uint32_t inside(int stamp_x, int stamp_y) const;
   void wait_for(uint64_t retired);
   void wait_for_planes();
-  Cycle planes_free() const;
+  Cycle planes_free(uint64_t tile) const;
   void keep_planes(Cycle loaded);
   bool step(Cycle until);
   bool offer(Cycle until);
@@ -178,7 +178,7 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   uint64_t entered_count_ = 0;
   uint64_t exit_count_ = 0;
   std::vector<Cycle> slot_free_;  // by slot of the in-flight table
-  // By tile modulo plane_slots - 1: when its first stamp was loaded. Empty without depth.
+  // By tile modulo plane_slots - 1: when its first stamp was loaded.
   std::vector<Cycle> tile_loads_;
   uint64_t tiles_accepted_ = 0;
   uint64_t tiles_loaded_ = 0;

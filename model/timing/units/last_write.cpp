@@ -83,8 +83,7 @@ void LastWrite::clear(uint32_t tile) {
 }
 
 void LastWrite::test(Run* run) {
-  // The tile is drawn again with a scissor that leaves nothing but it. That gives the same bits,
-  // and stamps keep the numbers of their tests.
+  // The tile is drawn again with a scissor that leaves nothing but it. That gives the same bits.
   const int log2 = contract_.design.tile_log2;
   const int x = static_cast<int>(run->tile) % tile_columns_ << log2;
   const int y = static_cast<int>(run->tile) / tile_columns_ << log2;
@@ -114,11 +113,9 @@ void LastWrite::test(Run* run) {
   const Cycle first = run->retire;
   run->retire = -1;
   if (shader.passed().count == 0) return;
-  const int last = shader.passed().last;
-  uint32_t stamp = 0;  // its number among those that have a sample
-  cover.covered.for_each_stamp([&](int place) { stamp += place < last ? 1 : 0; });
-  run->retire = run->irregular == kNone ? first + cover.box.test_of(last)
-                                        : irregular_[run->irregular + stamp];
+  const int last = cover.covered.before(shader.passed().last);
+  run->retire = run->irregular == kNone ? first + last
+                                        : irregular_[run->irregular + static_cast<uint32_t>(last)];
 }
 
 }  // namespace pineda::timing

@@ -26,7 +26,7 @@ class LastWrite {
   void begin_frame(const spec::FrameState& frame, fast::TiledBuffer* buffer);
   /// A triangle that setup sends.
   void triangle(const spec::Triangle& triangle);
-  /// A tile of the last triangle. The stamp of test k retires in `retire` + k.
+  /// A tile of the last triangle. The k-th stamp, from 0, retires in `retire` + k.
   void run(int tile_x, int tile_y, Cycle retire);
   /// A tile of the last triangle, whose stamps retire in other cycles: retires() is called for each
   /// of its stamps.
@@ -49,7 +49,8 @@ class LastWrite {
     uint32_t tile;
     uint32_t before;     // the run before it in this tile, kNone
     uint32_t irregular;  // index into irregular_, kNone: regular
-    Cycle retire;        // of test 0; after test(): of the last stamp that passes, -1 if none does
+    Cycle
+        retire;  // of its first stamp; after test(): of the last stamp that passes, -1 if none does
   };
   void add(int tile_x, int tile_y, uint32_t irregular, Cycle retire);
   void test_tile(uint32_t last_run);

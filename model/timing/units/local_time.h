@@ -27,10 +27,11 @@ class LocalTime {
   }
   void starve(Cycle until) { spend(Cause::kStarved, until, 0); }
   void work(Cycle cycles, uint32_t id) { spend(Cause::kBusy, now_ + cycles, id); }
-  /// Spends the cycles before `until`, `busy` of them on work, the others on nothing to work on.
+  /// Spends the cycles before `until`, `busy` of them on work, between which it is blocked. Not
+  /// told to a listener.
   void work_at_times(Cycle busy, Cycle until) {
     cycles_[Cause::kBusy] += busy;
-    cycles_[Cause::kStarved] += until - now_ - busy;
+    cycles_[Cause::kBlocked] += until - now_ - busy;
     now_ = until;
   }
 

@@ -14,7 +14,7 @@ void SetupUnit::end_of_elaboration() { require_bound(prim_o, "pineda/setup/unbou
 void SetupUnit::begin_frame(Frame* frame) {
   frame_ = frame;
   prim_ = {};
-  next_step_ = empty_step_ = busy_ = frozen_ = total_frozen_ = 0;
+  next_step_ = empty_step_ = last_step_ = inside_until_ = busy_ = frozen_ = total_frozen_ = 0;
   freezes_.clear();
   last_output_ = -1;
 }
@@ -32,6 +32,9 @@ Cycle SetupUnit::take(const spec::Triangle& triangle, Cycle offered) {
   if (frame_->listener != nullptr) report_work(interval, triangle.id);
   busy_ += interval;
   next_step_ = step + interval;
+  last_step_ = step;
+  const Cycle inside = sent ? width.setup_latency_cycles + 1 : width.setup_drop_latency_cycles;
+  inside_until_ = std::max(inside_until_, step + inside);
   empty_step_ = sent ? next_step_ : step + width.setup_drop_latency_cycles;
   if (!sent) return accepted;
   if (frame_->last_write != nullptr) frame_->last_write->triangle(triangle);
@@ -39,9 +42,18 @@ Cycle SetupUnit::take(const spec::Triangle& triangle, Cycle offered) {
   return accepted;
 }
 
+// The step in which a triangle that could be accepted in `step` has its turn.
+Cycle SetupUnit::in_turn(Cycle step) const {
+  const bool in_turns = contract_.design.setup_style == spec::SetupStyle::kStepped;
+  if (!in_turns || step >= inside_until_) return step;
+  const Cycle interval = contract_.width.setup_interval_cycles;
+  const Cycle turn = last_step_ + (step - last_step_ + interval - 1) / interval * interval;
+  return std::min(turn, inside_until_);
+}
+
 Cycle SetupUnit::accept(Cycle offered) {
   const Cycle worked_until = next_step_;
-  const auto step = [&] { return std::max(next_step_, offered - frozen_); };
+  const auto step = [&] { return in_turn(std::max(next_step_, offered - frozen_)); };
   for (; !freezes_.empty() && freezes_.front().step <= step(); freezes_.pop_front()) {
     // A triangle that comes while the unit is frozen is accepted in the step that ends the freeze.
     next_step_ = std::max(next_step_, freezes_.front().step);

@@ -25,7 +25,8 @@ namespace pineda::timing {
 ///   cycle(step) = step + the cycles frozen at steps up to and including it.
 /// In steps, triangle n is accepted in the least accept[n] with
 ///   accept[n] >= accept[n-1] + (dropped[n-1] ? drop : interval),  cycle(accept[n]) >= offered[n],
-/// and its output is offered in
+/// with style stepped also a multiple of the interval after accept[n-1], as long as any triangle is
+/// inside; until then the unit counts as starved. Its output is offered in
 ///   output[n] = accept[n] + latency.
 /// If the FIFO takes the output k cycles later than cycle(output[n]), the unit freezes for k cycles
 /// at step output[n]. The freezes of earlier outputs, which cycle() needs, are all known when
@@ -55,6 +56,7 @@ class SetupUnit final : public sc_core::sc_module, public StreamIn<spec::Triangl
   };
 
   void end_of_elaboration() override;
+  Cycle in_turn(Cycle step) const;
   Cycle accept(Cycle offered);  // the cycle in which a triangle offered from then on is accepted
   void send(Cycle accepted_step);
   void report_work(Cycle interval, uint32_t id) const;
@@ -65,6 +67,8 @@ class SetupUnit final : public sc_core::sc_module, public StreamIn<spec::Triangl
   spec::SetupPrim prim_;
   Cycle next_step_ = 0;         // the first step in which a triangle can be accepted
   Cycle empty_step_ = 0;        // the first step in which the last triangle, if dropped, is gone
+  Cycle last_step_ = 0;         // in which a triangle was accepted
+  Cycle inside_until_ = 0;      // the first step in which no triangle is inside
   Cycle busy_ = 0;              // steps spent on triangles
   Cycle frozen_ = 0;            // cycles frozen at steps before next_step_
   Cycle total_frozen_ = 0;      // frozen_ and the freezes that are still listed

@@ -26,16 +26,19 @@ struct StampToken {
 /// A stream of stamps, which can take the run of a tile at once.
 class StampIn : public StreamIn<StampToken> {
  public:
-  /// All stamps of a tile; the stamp of test k is visible from first_visible + k on. Takes them all
-  /// if each can be taken in the cycle in which it becomes visible. Else it returns false, and the
-  /// stamps have to come one by one.
+  /// From this cycle on a stamp can enter the FIFO in front, as far as the unit behind it keeps
+  /// what its tile brings along.
+  virtual Cycle has_room() = 0;
+  /// All stamps of a tile; the k-th one, from 0, is visible from first_visible + k on. Takes them
+  /// all if each can be taken in the cycle in which it becomes visible. Else it returns false, and
+  /// the stamps have to come one by one.
   virtual bool take_run(const TileToken& tile, Cycle first_visible) = 0;
 };
 
 /// Its producer's end.
 class StampStream : public StreamOut<StampToken> {
  public:
-  /// All stamps of a tile; the stamp of test k is offered from first_offered + k on. True if all
+  /// All stamps of a tile; the k-th one, from 0, is offered from first_offered + k on. True if all
   /// are taken, as by StampIn::take_run().
   virtual bool push_run(const TileToken& tile, Cycle first_offered) = 0;
 };
@@ -51,6 +54,9 @@ class StampFifo final : public TimedFifo<StampToken, StampIn, StampStream> {
  public:
   StampFifo(sc_core::sc_module_name name, int depth) : TimedFifo(name, Fifo::kStamps, depth) {}
 
+  Cycle push(const StampToken& stamp, Cycle earliest) override {
+    return TimedFifo::push(stamp, std::max(earliest, consumer_->has_room()));
+  }
   bool push_run(const TileToken& tile, Cycle first_offered) override {
     if (levels_.depth() < 2 || !consumer_->take_run(tile, first_offered + 1)) return false;
     levels_.flow(tile.cover->covered.count);

@@ -21,10 +21,10 @@ TraversalUnit::TraversalUnit(sc_core::sc_module_name name, const spec::Contract&
       contract_(contract),
       walk_(contract),
       cover_(contract),
-      stamp_walker_(this),
+      coverage_(this),
       tiles_("tiles", Fifo::kTiles, contract.design.tile_fifo_depth) {
   prim_i.bind(*this);
-  tiles_.out_o(stamp_walker_);
+  tiles_.out_o(coverage_);
 }
 
 void TraversalUnit::end_of_elaboration() { require_bound(stamp_o, "pineda/traversal/unbound"); }
@@ -33,7 +33,7 @@ void TraversalUnit::begin_frame(Frame* frame) {
   frame_ = frame;
   tiles_.begin_frame(frame->listener);
   time_ = LocalTime(Unit::kTiles, frame->listener);
-  stamp_walker_.begin_frame(frame->listener);
+  coverage_.begin_frame(frame->listener);
   floors_.reset();
   if (frame->hierarchical_z != nullptr && frame->hierarchical_z->is_active()) {
     floors_.emplace(contract_, frame->state, fast::TileShader::Values::kDepth);
@@ -111,65 +111,94 @@ bool TraversalUnit::is_hidden() {
   return floor != 0 && frame_->hierarchical_z->hides(time_.now(), cover_.x, cover_.y, floor);
 }
 
-void TraversalUnit::StampWalker::begin_frame(Listener* listener) {
-  time = LocalTime(Unit::kStamps, listener);
-  sent = -1;
+void TraversalUnit::Coverage::begin_frame(Listener* listener) {
+  time = LocalTime(Unit::kCoverage, listener);
+  sender = LocalTime(Unit::kStamps, listener);
 }
 
-Cycle TraversalUnit::StampWalker::take(const TileToken& tile, Cycle visible) {
+Cycle TraversalUnit::Coverage::take(const TileToken& tile, Cycle visible) {
   const Cycle cycle = taken(visible, &time);
-  const fast::TileSamples& covered = tile.cover->covered;
-  const int tests = tile.cover->box.tests();
-  if (covered.count == 0) {
-    time.work(tests, tile.prim->id);
-  } else if (sent <= time.now() && unit_.stamp_o->push_run(tile, time.now() + 1)) {
-    sent = time.now() + tile.cover->box.test_of(covered.last) + 1;
-    time.work(tests, tile.prim->id);
-  } else {
+  if (tile.cover->covered.count == 0) {
+    time.work(tile.cover->box.tests(), tile.prim->id);
+  } else if (!take_run(tile)) {
     walk(tile);
   }
   return cycle;
 }
 
-void TraversalUnit::StampWalker::walk(const TileToken& tile) {
-  const fast::TileCover& cover = *tile.cover;
-  const spec::Design& d = unit_.contract_.design;
+bool TraversalUnit::Coverage::take_run(const TileToken& tile) {
+  const fast::TileSamples& covered = tile.cover->covered;
+  const fast::GroupBox& box = tile.cover->box;
+  const int first = box.test_of(covered.first);
+  const int last = box.test_of(covered.last);
+  const int groups = covered.groups(box.group_log2);
+  if (groups != last - first + 1) return false;
+  const Cycle done = std::max(time.now() + first, sent());  // the first group that is not empty
+  if (!unit_.stamp_o->push_run(tile, done + 1)) return false;
+  const int before_last = covered.before(covered.last >> box.group_log2 << box.group_log2);
+  time.work_at_times(first + groups, done + before_last + 1);
+  time.work(box.tests() - last - 1, tile.prim->id);
+  sender.starve(done + 1);
+  sender.work(covered.count, tile.prim->id);
+  return true;
+}
+
+void TraversalUnit::Coverage::walk(const TileToken& tile) {
+  const fast::GroupBox& box = tile.cover->box;
   const uint32_t id = tile.prim->id;
   int tested = 0;
-  cover.covered.for_each_stamp([&](int place) {
-    const int test = cover.box.test_of(place);
-    time.work(test - tested, id);
-    time.spend(Cause::kBlocked, sent, id);  // the output register
-    time.work(1, id);
-    tested = test + 1;
-    if (tile.stamp != nullptr) {
-      const int columns_log2 = cover.box.columns_log2;
-      tile.stamp->first = place == cover.covered.first;
-      tile.stamp->mask = fast::lanes_of(d, cover.covered, place);
-      tile.stamp->x = (cover.x << columns_log2) + (place & ((1 << columns_log2) - 1));
-      tile.stamp->y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2);
+  tile.cover->covered.for_each_stamp([&](int place) {
+    const int test = box.test_of(place);
+    if (test >= tested) {
+      time.work(test - tested, id);
+      time.spend(Cause::kBlocked, sent(), id);
+      time.work(1, id);
+      sender.starve(time.now());
+      tested = test + 1;
     }
-    sent = unit_.stamp_o->push({&tile, place}, time.now());
-    Listener* const listener = unit_.frame_->listener;
-    if (listener != nullptr) listener->stamp(sent, *tile.stamp);
+    send(tile, place);
   });
-  time.work(cover.box.tests() - tested, id);
+  time.work(box.tests() - tested, id);
+}
+
+void TraversalUnit::Coverage::send(const TileToken& tile, int place) {
+  const fast::TileCover& cover = *tile.cover;
+  if (tile.stamp != nullptr) {
+    const spec::Design& d = unit_.contract_.design;
+    const int columns_log2 = cover.box.columns_log2;
+    tile.stamp->first = place == cover.covered.first;
+    tile.stamp->mask = fast::lanes_of(d, cover.covered, place);
+    tile.stamp->x = (cover.x << columns_log2) + (place & ((1 << columns_log2) - 1));
+    tile.stamp->y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2);
+  }
+  const Cycle sent = unit_.stamp_o->push({&tile, place}, sender.now());
+  sender.spend(Cause::kBlocked, sent, tile.prim->id);
+  sender.work(1, tile.prim->id);
+  Listener* const listener = unit_.frame_->listener;
+  if (listener != nullptr) listener->stamp(sent, *tile.stamp);
 }
 
 Cycle TraversalUnit::idle_from() const {
-  return std::max({time_.now(), stamp_walker_.time.now(), stamp_walker_.sent + 1});
+  return std::max({time_.now(), coverage_.time.now(), coverage_.sender.now()});
 }
 
-UnitCycles TraversalUnit::tile_cycles(Cycle drained) const {
-  LocalTime time = time_;
+namespace {
+
+UnitCycles until(Cycle drained, LocalTime time) {
   time.starve(drained);
   return time.cycles();
+}
+
+}  // namespace
+
+UnitCycles TraversalUnit::tile_cycles(Cycle drained) const { return until(drained, time_); }
+
+UnitCycles TraversalUnit::coverage_cycles(Cycle drained) const {
+  return until(drained, coverage_.time);
 }
 
 UnitCycles TraversalUnit::stamp_cycles(Cycle drained) const {
-  LocalTime time = stamp_walker_.time;
-  time.starve(drained);
-  return time.cycles();
+  return until(drained, coverage_.sender);
 }
 
 }  // namespace pineda::timing
