@@ -10,6 +10,7 @@
 #include "cli/triangles.h"
 #include "studies/area/area.h"
 #include "studies/area/area_picture.h"
+#include "studies/area/fpga.h"
 #include "studies/cycles/model_cycles.h"
 #include "tb/plugin_cache.h"
 
@@ -24,6 +25,7 @@ struct AreaStudyOptions : Options {
   std::string bunny = kBunnyFile;
   std::string picture;
   bool throughput = false;
+  std::vector<std::string> fpgas;  // if any, these in place of the technology
   studies::AreaOptions area;
 };
 
@@ -184,7 +186,51 @@ std::vector<spec::Contract> designs_of(const AreaStudyOptions& options) {
   return contracts;
 }
 
+studies::ToolRuns tool_runs(const Output& output) {
+  return {std::filesystem::absolute(tb::plugin_cache_folder()) / "area",
+          [output](const std::string& text) { output.say(text); }};
+}
+
+int run_fpga(const AreaStudyOptions& options) {
+  const Output output(options);
+  const auto contracts = designs_of(options);
+  std::vector<std::string> families = options.fpgas;
+  const std::vector<std::string> known = studies::fpga_families();
+  if (families == std::vector<std::string>{"all"}) families = known;
+  for (const std::string& name : families) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw UsageError(
+        fmt::format("--fpga: expected {} or all, got '{}'", fmt::join(known, ", "), name));
+  }
+  const studies::ToolRuns runs = tool_runs(output);
+  Json json{{"tools", runs.versions()}};
+  output.row("Tools", fmt::format("{}", fmt::join(runs.versions(), "; ")));
+  output.line("\n{:<16}{:<10}{:>10}{:>10}{:>12}{:>8}{:>12}{:>14}", "design", "family", "LUTs",
+              "carries", "flip-flops", "DSPs", "block RAMs", "RAMs of LUTs");
+  for (const auto& contract : contracts) {
+    Json design;
+    for (const studies::FpgaCells& cells : studies::study_fpga(contract, families, runs)) {
+      const auto number = [](long n) { return grouped(static_cast<uint64_t>(n)); };
+      output.line("{:<16}{:<10}{:>10}{:>10}{:>12}{:>8}{:>12}{:>14}", contract.design.name,
+                  cells.family, number(cells.luts), number(cells.carries), number(cells.flip_flops),
+                  number(cells.dsps), number(cells.block_rams), number(cells.distributed));
+      design["fpga"][cells.family] = {
+          {"luts", cells.luts}, {"carries", cells.carries},       {"flip_flops", cells.flip_flops},
+          {"dsps", cells.dsps}, {"block_rams", cells.block_rams}, {"lut_rams", cells.distributed}};
+    }
+    if (contracts.size() == 1) {
+      json["design"] = contract.design.name;
+      json.update(design);
+    } else {
+      json["designs"][contract.design.name] = design;
+    }
+  }
+  output.json(json);
+  return kHolds;
+}
+
 int run(const AreaStudyOptions& options) {
+  if (!options.fpgas.empty()) return run_fpga(options);
   const Output output(options);
   require_ending("--picture", options.picture, {".svg"});
   const auto contracts = designs_of(options);
@@ -200,8 +246,7 @@ int run(const AreaStudyOptions& options) {
   std::optional<ReservedFile> picture;
   if (!options.picture.empty()) picture.emplace(options.picture);
   const auto technology = studies::read_technology(options.technology, options.liberty);
-  const studies::ToolRuns runs(std::filesystem::absolute(tb::plugin_cache_folder()) / "area",
-                               [&](const std::string& text) { output.say(text); });
+  const studies::ToolRuns runs = tool_runs(output);
   Json json{{"technology", technology.name},
             {"process", technology.process},
             {"liberty", technology.liberty_file},
@@ -278,8 +323,17 @@ void add_area_study(CLI::App* study, int* exit_code) {
   command->add_option("--bunny", options->bunny, "The scene bunny, as in study cycles")
       ->type_name("FILE")
       ->capture_default_str();
+  auto* fpga = command->add_option(
+      "--fpga", options->fpgas,
+      "Cells of an FPGA in place of a technology's: " +
+          fmt::format("{}", fmt::join(studies::fpga_families(), ", ")) + "; all: each of them");
+  fpga->delimiter(',')->type_name("FAMILY");
   command->add_option("--picture", options->picture, "Bars of the area by module")
       ->type_name("FILE.svg");
+  for (const char* other : {"--technology", "--liberty", "--memory-bits", "--clock", "--scene",
+                            "--throughput", "--picture"}) {
+    fpga->excludes(command->get_option(other));
+  }
   add_output_options(command, options.get());
   command->callback([options, exit_code] { *exit_code = run(*options); });
 }

@@ -28,16 +28,6 @@ std::string read(const fs::path& file) {
   return text.str();
 }
 
-/// The RTL of a design in one file: its own package, then what rtl/files.f lists.
-std::string sources_of(const spec::Contract& contract) {
-  std::string text = spec::package_text(contract);
-  std::istringstream files(read(kRtl / "files.f"));
-  for (std::string file; files >> file;) {
-    if (file != "pineda_pkg.sv") text += read(kRtl / file);
-  }
-  return text;
-}
-
 bool has_state(const RtlilCell& cell) {
   return cell.type.rfind("$dff", 0) == 0 || cell.type.rfind("$adff", 0) == 0 ||
          cell.type.rfind("$sdff", 0) == 0 || cell.type.rfind("$mem", 0) == 0;
@@ -80,6 +70,15 @@ endmodule
 std::string bare(const std::string& name) { return name[0] == '\\' ? name.substr(1) : name; }
 
 }  // namespace
+
+std::string sources_of(const spec::Contract& contract) {
+  std::string text = spec::package_text(contract);
+  std::istringstream files(read(kRtl / "files.f"));
+  for (std::string file; files >> file;) {
+    if (file != "pineda_pkg.sv") text += read(kRtl / file);
+  }
+  return text;
+}
 
 Synthesis::Synthesis(const spec::Contract& contract, const Technology& technology,
                      long least_memory_bits, const ToolRuns& runs)

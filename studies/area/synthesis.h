@@ -17,6 +17,10 @@ namespace pineda::studies {
 inline constexpr const char* kTop = "raster_top";
 inline constexpr const char* kUnits[] = {"setup_unit", "traversal_unit", "interp_ztest_unit"};
 
+/// The RTL of a design in one text: its own package, then what rtl/files.f lists.
+/// Errors   AreaError: a file cannot be read.
+std::string sources_of(const spec::Contract& contract);
+
 /// A module with state, a unit or the top; modules without state are part of those that hold them.
 /// A memory is a module of its own.
 struct SynthesizedModule {

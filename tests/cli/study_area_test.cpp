@@ -90,6 +90,21 @@ TEST_F(StudyArea, OfASmallDesignAddsUpAndIsKept) {
   EXPECT_EQ(again.json(), json);
 }
 
+TEST_F(StudyArea, CountsTheCellsOfAnFpga) {
+  if (!can_measure()) GTEST_SKIP() << kMissing;
+  const Outcome run = study({"--design", design_, "--fpga", "ice40,ecp5", "--json", "-"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json json = run.json();
+  EXPECT_EQ(json.at("design"), "smallest");
+  EXPECT_EQ(json.at("fpga").size(), 2u);
+  for (const auto& [family, cells] : json.at("fpga").items()) {
+    EXPECT_GT(cells.at("luts"), 300) << family;
+    EXPECT_GT(cells.at("flip_flops"), 500) << family;
+    EXPECT_GT(cells.at("carries"), 50) << family;
+    EXPECT_GE(cells.at("dsps"), 1) << family;  // area and edges share one multiplier
+  }
+}
+
 TEST_F(StudyArea, RefusesWhatItCannotMeasure) {
   EXPECT_TRUE(is_refused(study({"--technology", "tsmc5"}), "expected asap7, osu018, sg13g2 or"));
   EXPECT_TRUE(is_refused(study({"--technology", "asap7"}), "--liberty: expected the Liberty file"));
@@ -103,6 +118,9 @@ TEST_F(StudyArea, RefusesWhatItCannotMeasure) {
   EXPECT_TRUE(is_refused(study({"--designs", "low,high", "--picture", scratch_.path("x.svg")}),
                          "--picture: expected one design"));
   EXPECT_TRUE(is_refused(study({"--clock", "0"}), "--clock"));
+  EXPECT_TRUE(is_refused(study({"--fpga", "spartan"}),
+                         "--fpga: expected ice40, ecp5, xilinx or all, got 'spartan'"));
+  EXPECT_TRUE(is_refused(study({"--fpga", "ice40", "--clock", "900"}), "--clock excludes --fpga"));
   EXPECT_TRUE(is_refused(study({"--scene", "nowhere"}), "nowhere"));
   EXPECT_FALSE(std::filesystem::exists(scratch_.path("cache")));
 }
