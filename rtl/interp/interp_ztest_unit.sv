@@ -8,11 +8,12 @@
 // Rate     a stamp a cycle at any read latency up to INFLIGHT_STAMPS - 4 cycles, as long as no
 //          hazard and no port stalls it and there is a slot for the planes of one more tile: a
 //          tile's are kept until the first stamp of the next tile is loaded into the write register.
-//          A stamp whose address is in flight waits. In flight = from the read accepted to the depth write accepted, or to the cycle in which that write would
-//          have been offered: time does not depend on depth. A read of the address may be accepted
-//          in the cycle after. Attributes are interpolated where a sample passed, and follow
-//          ATTRIBUTE_CYCLES later. A design without depth has no table: every stamp goes from
-//          the FIFO in front to its colour write.
+//          A stamp whose address is in flight waits. In flight = from the read accepted to the
+//          depth write accepted, or to the cycle in which that write would have been offered: time
+//          does not depend on depth. A read of the address may be accepted in the cycle after.
+//          Attributes are interpolated where a sample passed, and follow ATTRIBUTE_CYCLES later. A
+//          design without depth has no table: every stamp goes from the FIFO in front to its
+//          colour write.
 // Drops    samples that fail the test.
 // Errors   none.
 // Twin     model/core/interp.cpp.

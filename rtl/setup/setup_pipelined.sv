@@ -120,7 +120,8 @@ module setup_pipelined (
   logic signed [AREA2_BITS-1:0] product_a7_q, product_b7_q, product_c7_q, product_d7_q;
   logic signed [AREA2_BITS-1:0] e0_8q, e2_8q;
 
-  logic signed [2*COEFF_BITS-1:0] product12_3, product21_3, product_a7, product_b7, product_c7, product_d7;
+  logic signed [2*COEFF_BITS-1:0] product12_3, product21_3;
+  logic signed [2*COEFF_BITS-1:0] product_a7, product_b7, product_c7, product_d7;
   multiplier #(.ABits(COEFF_BITS), .BBits(COEFF_BITS)) u_product12_3 (
     .a_i(dx1_2q), .b_i(dy2_2q), .addend_i('0), .product_o(product12_3)
   );

@@ -45,7 +45,8 @@ module setup_unit (
   // Frozen by its output; else busy when it takes a triangle, or cannot yet take the next one.
   logic [2:0] cause;
   assign cause = prim_valid_o && !prim_ready_i ? cycle_cause_pkg::BLOCKED :
-                 (tri_valid_i && tri_ready_o) || working ? cycle_cause_pkg::BUSY : cycle_cause_pkg::STARVED;
+                 (tri_valid_i && tri_ready_o) || working ? cycle_cause_pkg::BUSY
+                                                         : cycle_cause_pkg::STARVED;
   cycle_counters #(.Kinds(cycle_cause_pkg::CAUSES)) u_cycles (
     .clk_i, .count_i(1'b1), .kind_i(cause)
   );

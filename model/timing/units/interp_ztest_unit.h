@@ -36,12 +36,12 @@ namespace pineda::timing {
 ///   load[n]   = max(accept[n] + 4, response[n] + 1, retire[p], enter[p])
 ///               The queue of stamps takes a cycle, the depth interpolator 3, the response FIFO 1.
 ///               The queue is as deep as the table. A response that finds its FIFO full waits, but
-///               then a stamp before it is loaded two cycles later or more. The write register is free again in the cycle in which its depth
-///               is written and its colours have left.
+///               then a stamp before it is loaded two cycles later or more. The write register is
+///               free again in the cycle in which its depth is written and its colours have left.
 ///   retire[n] = the cycle in which the depth write, offered from load[n] + 1 on, is accepted;
 ///               load[n] + 1 if there is nothing to write.
-/// A stamp enters the FIFO in front only when there is a slot for the planes of one more tile; those
-/// of a tile are kept until the first stamp of the next one is loaded. So it waits for load[f] + 1,
+/// A stamp enters the FIFO in front only when there is a slot for the planes of one more tile;
+/// those of a tile are kept until the first stamp of the next one is loaded. So it waits for load[f] + 1,
 /// with f the first stamp of the tile that came design.plane_slots - 1 tiles before the next one.
 /// A design without depth has neither table nor queues:
 ///   accept[n] = load[n] = max(visible[n], accept[p] + 1, enter[p])

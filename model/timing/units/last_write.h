@@ -49,8 +49,8 @@ class LastWrite {
     uint32_t tile;
     uint32_t before;     // the run before it in this tile, kNone
     uint32_t irregular;  // index into irregular_, kNone: regular
-    Cycle
-        retire;  // of its first stamp; after test(): of the last stamp that passes, -1 if none does
+    // Of its first stamp; after test(): of the last stamp that passes, -1 if none does
+    Cycle retire;
   };
   void add(int tile_x, int tile_y, uint32_t irregular, Cycle retire);
   void test_tile(uint32_t last_run);

@@ -8,8 +8,8 @@
 
 namespace pineda::timing {
 
-/// Traversal: the tiles of a triangle's box, in those that are not rejected the covered samples, and
-/// of these the stamps.
+/// Traversal: the tiles of a triangle's box, in those that are not rejected the covered samples,
+/// and of these the stamps.
 ///
 /// Bits     core::TileWalk and core::StampWalk define every output bit, fast::TileCoverWalk finds
 ///          the same faster; this class adds only time.
@@ -22,13 +22,14 @@ namespace pineda::timing {
 /// Twin     rtl/traversal/traversal_unit.sv, same ports. Source: Pineda, SIGGRAPH 1988.
 ///
 /// Timing. Three stages, each with a local time; a FIFO stands between the first two. The tile
-/// walker takes a triangle as early as in the cycle of its last test and tests its first tile in the next one:
+/// walker takes a triangle as early as in the cycle of its last test and tests its first tile in
+/// the next one:
 ///   taken = max(last test, visible);  test[0] = taken + 1;  test[k+1] = done[k] + 1
 ///   done[k] = test[k] if rejected or hidden, else the cycle in which the FIFO takes the tile.
 /// A tile is hidden by the depths that hierarchical z sees in test[k], and by no later ones.
 /// Coverage does the same with tiles and groups of stamps. A group that is not empty goes to the
 /// sender, which takes it as early as in the cycle in which it sends the last stamp before:
-///   done[k] = test[k] if empty, else max(test[k], sent[k'])   k' = the last stamp of the group before
+///   done[k] = test[k] if empty, else max(test[k], sent[k'])   k' = the last stamp before
 ///   sent[k] = the cycle in which the next FIFO takes what is offered from done[k] + 1 on, or from
 ///             the cycle after that of the stamp before on.
 /// A group that is not empty has at least one stamp. So if none between the first and the last one
