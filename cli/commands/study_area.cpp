@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cli/output.h"
+#include "cli/report/area_ratchet.h"
 #include "cli/reserved_file.h"
 #include "cli/study_scenes.h"
 #include "cli/triangles.h"
@@ -12,7 +13,6 @@
 #include "studies/area/area_picture.h"
 #include "studies/area/fpga.h"
 #include "studies/cycles/model_cycles.h"
-#include "tb/plugin_cache.h"
 
 namespace pineda::cli {
 namespace {
@@ -27,6 +27,7 @@ struct AreaStudyOptions : Options {
   bool throughput = false;
   std::vector<std::string> fpgas;  // if any, these in place of the technology
   studies::AreaOptions area;
+  AreaRatchetOptions ratchet;
 };
 
 /// What a design makes of a scene at its fastest clock.
@@ -187,8 +188,7 @@ std::vector<spec::Contract> designs_of(const AreaStudyOptions& options) {
 }
 
 studies::ToolRuns tool_runs(const Output& output) {
-  return {std::filesystem::absolute(tb::plugin_cache_folder()) / "area",
-          [output](const std::string& text) { output.say(text); }};
+  return studies::area_tool_runs([output](const std::string& text) { output.say(text); });
 }
 
 int run_fpga(const AreaStudyOptions& options) {
@@ -229,13 +229,19 @@ int run_fpga(const AreaStudyOptions& options) {
   return kHolds;
 }
 
-int run(const AreaStudyOptions& options) {
+int run(AreaStudyOptions options) {
   if (!options.fpgas.empty()) return run_fpga(options);
   const Output output(options);
   require_ending("--picture", options.picture, {".svg"});
   const auto contracts = designs_of(options);
   if (!options.picture.empty() && contracts.size() != 1) {
     throw UsageError("--picture: expected one design");
+  }
+  if (options.ratchet.is_wanted() && contracts.size() != 1) {
+    throw UsageError("--check, --update: expected one design");
+  }
+  if (options.ratchet.allow_growth && options.ratchet.update.empty()) {
+    throw UsageError("--allow-growth: expected --update");
   }
   std::vector<std::string> left_out;
   std::vector<std::string> scenes = options.scenes;
@@ -247,13 +253,22 @@ int run(const AreaStudyOptions& options) {
   if (!options.picture.empty()) picture.emplace(options.picture);
   const auto technology = studies::read_technology(options.technology, options.liberty);
   const studies::ToolRuns runs = tool_runs(output);
+  const std::string tools = fmt::format("{}", fmt::join(runs.versions(), "; "));
+  std::optional<AreaRatchet> ratchet;
+  if (options.ratchet.is_wanted()) {
+    ratchet.emplace(options.ratchet,
+                    AreaRatchet::Subject{contracts.front().design.name, technology.name, tools,
+                                         options.area.clock_ps, technology.first_clock_ps});
+    options.area.clock_ps = ratchet->clock_ps();
+  }
+  bool holds = true;
   Json json{{"technology", technology.name},
             {"process", technology.process},
             {"liberty", technology.liberty_file},
             {"tools", runs.versions()},
             {"least_memory_bits", options.area.least_memory_bits}};
   output.row("Technology", fmt::format("{}: {}", technology.name, technology.process));
-  output.row("Tools", fmt::format("{}", fmt::join(runs.versions(), "; ")));
+  output.row("Tools", tools);
   for (const auto& contract : contracts) {
     Row row{contract, studies::study_area(contract, technology, options.area, runs), {}};
     for (const auto& name : scenes) {
@@ -267,6 +282,7 @@ int run(const AreaStudyOptions& options) {
     } else {
       json["designs"][contract.design.name] = row_json(row);
     }
+    if (ratchet) holds = ratchet->run(output, row.area, &json);
     if (picture) {
       const std::string svg = studies::area_picture(
           row.area, fmt::format("{} on {}", contract.design.name, technology.process));
@@ -276,7 +292,7 @@ int run(const AreaStudyOptions& options) {
   for (const auto& name : left_out)
     output.line("Left out: {}, {} is not there", name, options.bunny);
   output.json(json);
-  return kHolds;
+  return holds ? kHolds : kMismatch;
 }
 
 }  // namespace
@@ -310,7 +326,7 @@ void add_area_study(CLI::App* study, int* exit_code) {
   command
       ->add_option("--clock", options->area.clock_ps,
                    "Ask for this clock alone, ps; else the fastest one is searched")
-      ->check(CLI::Range(1, 1'000'000'000))
+      ->check(CLI::Range(1, studies::kMostClockPs))
       ->type_name("PS");
   command
       ->add_option("--scene", options->scenes,
@@ -330,8 +346,18 @@ void add_area_study(CLI::App* study, int* exit_code) {
   fpga->delimiter(',')->type_name("FAMILY");
   command->add_option("--picture", options->picture, "Bars of the area by module")
       ->type_name("FILE.svg");
+  auto* check =
+      command->add_option("--check", options->ratchet.check,
+                          "Fail if area or slowest path of a unit is 2 % above this file");
+  check->type_name("FILE.json");
+  auto* update = command->add_option("--update", options->ratchet.update,
+                                     "Store in this file what has shrunk by 2 %, and new figures");
+  update->type_name("FILE.json")->excludes(check);
+  command->add_flag("--allow-growth", options->ratchet.allow_growth,
+                    "--update also what has grown");
+  for (auto* option : {check, update}) option->excludes(command->get_option("--memory-bits"));
   for (const char* other : {"--technology", "--liberty", "--memory-bits", "--clock", "--scene",
-                            "--throughput", "--picture"}) {
+                            "--throughput", "--picture", "--check", "--update"}) {
     fpga->excludes(command->get_option(other));
   }
   add_output_options(command, options.get());

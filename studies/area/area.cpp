@@ -11,19 +11,9 @@ namespace {
 
 constexpr int kMostClocks = 4;
 constexpr double kPrecision = 1.03;
-// Of a clock, what a module's own logic may take before any path has been seen.
-constexpr double kShareOfLogic = .85;
 constexpr int kLeastDelayPs = 10;
 
 using Delays = std::map<std::string, int>;
-
-Delays first_delays(const Synthesis& synthesis, int clock_ps) {
-  Delays delays;
-  for (const auto& [name, module] : synthesis.modules()) {
-    delays[name] = static_cast<int>(clock_ps * kShareOfLogic);
-  }
-  return delays;
-}
 
 /// What modules on paths slower than the clock may take: of each path's logic all shrink alike.
 Delays shorter_delays(const std::vector<TimingPath>& paths, int clock_ps, const Delays& now) {
@@ -94,7 +84,7 @@ AreaStudy study_area(const spec::Contract& contract, const Technology& technolog
   AreaStudy study;
   int clock_ps = options.clock_ps > 0 ? options.clock_ps : technology.first_clock_ps;
   const int clocks = options.clock_ps > 0 ? 1 : kMostClocks;
-  Delays delays = first_delays(synthesis, clock_ps);
+  Delays delays = first_delays(synthesis, kTop, clock_ps);
   synthesis.map(delays);
   Best best;
   double failed_ps = 0;  // the slowest clock that failed
@@ -122,7 +112,7 @@ AreaStudy study_area(const spec::Contract& contract, const Technology& technolog
   study.slowest = slowest.front().front();
   add_up(synthesis, technology, &study);
   for (size_t i = 1; i < tops.size(); ++i) {
-    study.units[tops[i].substr(0, tops[i].rfind('_'))].slowest = slowest[i].front();
+    study.units[unit_name(tops[i])].slowest = slowest[i].front();
   }
   return study;
 }

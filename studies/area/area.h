@@ -48,6 +48,8 @@ struct AreaStudy {
   double fmax_mhz() const { return 1e6 / slowest.ps; }
 };
 
+inline constexpr int kMostClockPs = 1'000'000'000;
+
 struct AreaOptions {
   long least_memory_bits = 1024;  // smaller memories count as logic
   int clock_ps = 0;               // the one clock asked for; 0: the fastest is searched

@@ -17,6 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Of a clock, what a module's own logic may take.
+constexpr double kShareOfLogic = .85;
+
 const fs::path kRtl = fs::path(PINEDA_SOURCE_DIR) / "rtl";
 
 std::string read(const fs::path& file) {
@@ -70,6 +73,8 @@ endmodule
 std::string bare(const std::string& name) { return name[0] == '\\' ? name.substr(1) : name; }
 
 }  // namespace
+
+std::string unit_name(const std::string& module) { return module.substr(0, module.rfind('_')); }
 
 std::string sources_of(const spec::Contract& contract) {
   std::string text = spec::package_text(contract);
@@ -264,6 +269,15 @@ std::vector<std::string> Synthesis::flat_netlists(const std::vector<std::string>
   std::vector<std::string> files;
   for (const fs::path& folder : runs_.run(all)) files.push_back(runs_.name_of(folder / "flat.v"));
   return files;
+}
+
+std::map<std::string, int> first_delays(const Synthesis& synthesis, const std::string& top,
+                                        int clock_ps) {
+  std::map<std::string, int> delays;
+  for (const auto& [path, name] : synthesis.instances(top)) {
+    delays[name] = static_cast<int>(clock_ps * kShareOfLogic);
+  }
+  return delays;
 }
 
 }  // namespace pineda::studies

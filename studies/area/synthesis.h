@@ -17,6 +17,9 @@ namespace pineda::studies {
 inline constexpr const char* kTop = "raster_top";
 inline constexpr const char* kUnits[] = {"setup_unit", "traversal_unit", "interp_ztest_unit"};
 
+/// "setup" of setup_unit.
+std::string unit_name(const std::string& module);
+
 /// The RTL of a design in one text: its own package, then what rtl/files.f lists.
 /// Errors   AreaError: a file cannot be read.
 std::string sources_of(const spec::Contract& contract);
@@ -53,7 +56,7 @@ class Synthesis {
   /// The module of each instance below `top`, by its path: "u_setup.u_style"; of `top` "".
   std::map<std::string, std::string> instances(const std::string& top) const;
   /// For each top the mapped netlist of it and all that it holds as one flat module; the files in the
-  /// cache. Cells are named after their instances.
+  /// cache. Cells are named after their instances, a port is there for each bit: \tri_i[0] .
   std::vector<std::string> flat_netlists(const std::vector<std::string>& tops) const;
   const std::string& liberty() const { return liberty_; }
 
@@ -71,5 +74,9 @@ class Synthesis {
   std::string constraints_;  // for ABC
   std::map<std::string, SynthesizedModule> modules_;
 };
+
+/// What the modules of `top` are mapped for before any path has been seen, ps.
+std::map<std::string, int> first_delays(const Synthesis& synthesis, const std::string& top,
+                                        int clock_ps);
 
 }  // namespace pineda::studies

@@ -40,27 +40,6 @@ const Tool& tool_named(const std::string& name) {
                        [&](const Tool& tool) { return name == tool.name; });
 }
 
-std::string first_line_of(const std::string& command) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  std::string line;
-  for (int c = 0; pipe != nullptr && (c = std::fgetc(pipe.get())) != EOF && c != '\n';) {
-    line += static_cast<char>(c);
-  }
-  return line;
-}
-
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      result += "'\\''";
-    } else {
-      result += c;
-    }
-  }
-  return result + "'";
-}
-
 void write(const fs::path& file, const std::string& text) {
   std::ofstream stream(file, std::ios::binary);
   stream << text;
@@ -83,6 +62,27 @@ std::string error_of(const fs::path& log) {
 }
 
 }  // namespace
+
+std::string first_line_of(const std::string& command) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string line;
+  for (int c = 0; pipe != nullptr && (c = std::fgetc(pipe.get())) != EOF && c != '\n';) {
+    line += static_cast<char>(c);
+  }
+  return line;
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'') {
+      result += "'\\''";
+    } else {
+      result += c;
+    }
+  }
+  return result + "'";
+}
 
 ToolRuns::ToolRuns(fs::path cache, std::function<void(const std::string&)> say)
     : cache_(std::move(cache)), say_(std::move(say)) {
@@ -134,7 +134,8 @@ std::vector<fs::path> ToolRuns::run(const std::vector<ToolRun>& runs) const {
              : fmt::format("{} and {} more", missing.front().second->what, missing.size() - 1));
   }
   tb::sweep_work_folders(cache_);
-  const tb::WorkFolder folder(cache_, "runs");
+  const tb::WorkFolder folder(cache_,
+                              fmt::format("runs_{:016x}", spec::text_hash(missing.front().first)));
   const std::string work = fs::relative(folder.path(), cache_).string();
   std::string keys;
   for (const auto& [key, one] : missing) keys.append(" ").append(key);
@@ -169,6 +170,10 @@ std::vector<std::string> ToolRuns::versions() const {
   std::vector<std::string> all;
   for (const auto& [tool, version] : version_) all.push_back(version);
   return all;
+}
+
+ToolRuns area_tool_runs(std::function<void(const std::string&)> say) {
+  return {fs::absolute(tb::plugin_cache_folder()) / "area", std::move(say)};
 }
 
 }  // namespace pineda::studies

@@ -20,6 +20,11 @@ struct ToolRun {
 /// Where a script's results go.
 inline constexpr const char* kOut = "@OUT@";
 
+/// A text as one word of the shell.
+std::string quoted(const std::string& text);
+/// The first line that a shell's command writes to its standard output.
+std::string first_line_of(const std::string& command);
+
 /// Runs tools, as many at once as there are processors, and keeps each result in a folder of the
 /// cache that is named by the tool, its version and the script. What a script reads has names made
 /// from content, so a result is found again exactly as long as nothing that it depends on changes.
@@ -40,6 +45,7 @@ class ToolRuns {
 
   /// As a script names a file of the cache.
   std::string name_of(const std::filesystem::path& file) const;
+  std::filesystem::path file(const std::string& name) const { return cache_ / name; }
   /// "Yosys 0.23", "OpenSTA 2.0.17".
   std::vector<std::string> versions() const;
 
@@ -50,5 +56,8 @@ class ToolRuns {
   std::function<void(const std::string&)> say_;
   std::map<std::string, std::string> version_;  // by tool
 };
+
+/// Those of all area studies: in the folder `area` of the cache of plug-ins.
+ToolRuns area_tool_runs(std::function<void(const std::string&)> say);
 
 }  // namespace pineda::studies

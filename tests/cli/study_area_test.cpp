@@ -1,6 +1,7 @@
 // pineda study area, as another program drives it.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -90,6 +91,90 @@ TEST_F(StudyArea, OfASmallDesignAddsUpAndIsKept) {
   EXPECT_EQ(again.json(), json);
 }
 
+TEST_F(StudyArea, IsHeldToItsFigures) {
+  if (!can_measure()) GTEST_SKIP() << kMissing;
+  const std::string file = scratch_.path("figures.json");
+  const Arguments update{"--design", design_, "--update", file};
+  const Arguments check{"--design", design_, "--check", file};
+  Arguments at_8000 = update;
+  at_8000.insert(at_8000.end(), {"--clock", "8000"});
+  ASSERT_EQ(study(at_8000).exit_code, 0);
+  const Outcome same = study(check);
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  EXPECT_TRUE(has(same.out, "It holds: no figure has grown by more than 2 %.")) << same.out;
+  const Json stored = Json::parse(read_bytes(file));
+  EXPECT_EQ(stored.at("clock_ps"), 8000);
+
+  // One figure 3 % smaller: the check fails and names it, and nothing is stored unasked.
+  const std::string tools = stored.at("figures").begin().key();
+  for (const auto& [figure, name] :
+       {std::pair{"area_um2", "area of traversal by"},
+        std::pair{"slowest_path_ps", "slowest path of traversal by"}}) {
+    Json smaller = stored;
+    Json& value = smaller["figures"][tools]["traversal"][figure];
+    value = .97 * value.get<double>();
+    const std::string text = smaller.dump();
+    scratch_.write("figures.json", text);
+    const Outcome grown = study(check);
+    EXPECT_EQ(grown.exit_code, 1) << grown.err;
+    EXPECT_TRUE(has(grown.out, "IT DOES NOT HOLD: more than 2 %: ")) << grown.out;
+    EXPECT_TRUE(has(grown.out, name)) << grown.out;
+    EXPECT_EQ(study(update).exit_code, 1);
+    EXPECT_EQ(read_bytes(file), text);
+    Arguments allowed = update;
+    allowed.push_back("--allow-growth");
+    EXPECT_EQ(study(allowed).exit_code, 0);
+    EXPECT_EQ(Json::parse(read_bytes(file)), stored);
+  }
+
+  // Greater ones: what has shrunk by more than 2 % is stored, what is within them stays.
+  Json greater = stored;
+  for (const auto& [unit, share] : {std::pair{"setup", 1.03}, std::pair{"traversal", 1.01}}) {
+    Json& value = greater["figures"][tools][unit]["area_um2"];
+    value = std::round(share * value.get<double>());
+  }
+  scratch_.write("figures.json", greater.dump());
+  EXPECT_TRUE(has(study(check).out, "Smaller by more than 2 %: area of setup by 2.9 %"));
+  EXPECT_EQ(study(update).exit_code, 0);
+  Json ratcheted = greater;
+  ratcheted["figures"][tools]["setup"] = stored["figures"][tools]["setup"];
+  EXPECT_EQ(Json::parse(read_bytes(file)), ratcheted);
+
+  // Of other tools there is nothing to check; an update adds these.
+  Json other{{"design", "smallest"}, {"technology", "osu018"}, {"clock_ps", 8000}};
+  other["figures"]["other tools"] = stored["figures"][tools];
+  scratch_.write("figures.json", other.dump());
+  EXPECT_TRUE(is_refused(study(check), "figures.json: no figures of " + tools));
+  EXPECT_EQ(study(update).exit_code, 0);
+  EXPECT_EQ(Json::parse(read_bytes(file)).at("figures").size(), 2u);
+
+  Arguments at_7000 = check;
+  at_7000.insert(at_7000.end(), {"--clock", "7000"});
+  EXPECT_TRUE(is_refused(study(at_7000), "at a clock of 7000 ps, they are at 8000 ps"));
+  EXPECT_TRUE(is_refused(study({"--design", "low", "--check", file}),
+                         "expected figures of low on osu018, they are of smallest on osu018"));
+}
+
+TEST_F(StudyArea, RefusesFiguresThatAreNone) {
+  if (!can_measure()) GTEST_SKIP() << kMissing;
+  const auto refused = [&](const std::string& text) {
+    return study({"--design", design_, "--check", scratch_.write("bad.json", text)});
+  };
+  EXPECT_TRUE(is_refused(study({"--design", design_, "--check", scratch_.path("none.json")}),
+                         "none.json: expected figures, cannot read it"));
+  const std::string head = R"({"design": "smallest", "technology": "osu018", "clock_ps": )";
+  EXPECT_TRUE(is_refused(refused("figures"), "bad.json: expected figures in JSON"));
+  EXPECT_TRUE(is_refused(refused("[]"), "bad.json: expected a member design"));
+  EXPECT_TRUE(is_refused(refused(R"({"design": 1})"), "design to be a text"));
+  EXPECT_TRUE(is_refused(refused(head + "0}"), "clock_ps to be a positive number"));
+  EXPECT_TRUE(is_refused(refused(head + "1.5}"), "clock_ps to be a whole number"));
+  EXPECT_TRUE(is_refused(refused(head + "8000}"), "expected a member figures"));
+  EXPECT_TRUE(is_refused(refused(head + R"(8000, "figures": 1})"), "figures by the versions"));
+  EXPECT_TRUE(is_refused(refused(head + R"(8000, "figures": {"a": {}}})"), "a member setup"));
+  EXPECT_TRUE(is_refused(refused(head + R"(8000, "figures": {"a": {"setup": {"area_um2": -1}}}})"),
+                         "area_um2"));
+}
+
 TEST_F(StudyArea, CountsTheCellsOfAnFpga) {
   if (!can_measure()) GTEST_SKIP() << kMissing;
   const Outcome run = study({"--design", design_, "--fpga", "ice40,ecp5", "--json", "-"});
@@ -122,6 +207,13 @@ TEST_F(StudyArea, RefusesWhatItCannotMeasure) {
                          "--fpga: expected ice40, ecp5, xilinx or all, got 'spartan'"));
   EXPECT_TRUE(is_refused(study({"--fpga", "ice40", "--clock", "900"}), "--clock excludes --fpga"));
   EXPECT_TRUE(is_refused(study({"--scene", "nowhere"}), "nowhere"));
+  EXPECT_TRUE(is_refused(study({"--check", "a.json", "--update", "a.json"}), "excludes"));
+  EXPECT_TRUE(is_refused(study({"--check", "a.json", "--memory-bits", "9"}), "excludes"));
+  EXPECT_TRUE(is_refused(study({"--fpga", "ice40", "--check", "a.json"}), "excludes"));
+  EXPECT_TRUE(is_refused(study({"--designs", "low,high", "--check", "a.json"}),
+                         "--check, --update: expected one design"));
+  EXPECT_TRUE(is_refused(study({"--check", "a.json", "--allow-growth"}),
+                         "--allow-growth: expected --update"));
   EXPECT_FALSE(std::filesystem::exists(scratch_.path("cache")));
 }
 
