@@ -88,6 +88,7 @@ void add_time(CLI::App* program, int* exit_code);
 void add_rtl(CLI::App* program, int* exit_code);
 void add_study(CLI::App* program, int* exit_code);
 void add_area_study(CLI::App* study, int* exit_code);
+void add_netlist_study(CLI::App* study, int* exit_code);
 void add_parameters_study(CLI::App* study, int* exit_code);
 void add_cycles_study(CLI::App* study, int* exit_code);
 void add_error(CLI::App* program, int* exit_code);

@@ -201,14 +201,15 @@ void add_study(CLI::App* program, int* exit_code) {
     const auto rest = study->remaining(true);
     const bool chosen = !study->get_subcommands().empty();
     if (chosen && rest.empty()) return;
-    throw UsageError(
-        fmt::format("study: expected {}{} (see pineda study --help)",
-                    chosen ? "no more arguments"
-                           : "area, parameters, cycles, design-points, bounds or reciprocals",
-                    rest.empty() ? "" : ", got '" + rest.front() + "'"));
+    throw UsageError(fmt::format(
+        "study: expected {}{} (see pineda study --help)",
+        chosen ? "no more arguments"
+               : "area, netlist, parameters, cycles, design-points, bounds or reciprocals",
+        rest.empty() ? "" : ", got '" + rest.front() + "'"));
   });
 
   add_area_study(study, exit_code);
+  add_netlist_study(study, exit_code);
   add_parameters_study(study, exit_code);
   add_cycles_study(study, exit_code);
 

@@ -175,8 +175,8 @@ Technology read_technology(const std::string& name_or_file, const std::string& l
                                 error.description()));
   }
   const TableReader reader(file, table);
-  reader.only({"process", "liberty", "package", "driving_cell", "load_ff", "first_clock_ps",
-               "flip_flops", "not_used", "macro"});
+  reader.only({"process", "liberty", "models", "package", "driving_cell", "load_ff",
+               "first_clock_ps", "flip_flops", "not_used", "macro"});
   Technology t;
   t.file = file;
   t.name = fs::path(file).stem().string();
@@ -192,6 +192,7 @@ Technology read_technology(const std::string& name_or_file, const std::string& l
     throw AreaError(
         fmt::format("--liberty: expected the Liberty file of {} (plain or gzip)", t.name));
   }
+  t.models_file = reader.text("models", false);
   const std::string package = reader.text("package", false);
   if (liberty.empty() && !package.empty() && !fs::exists(t.liberty_file)) {
     throw AreaError(fmt::format("{}: expected the cells of {}: install {}, or give --liberty",

@@ -23,6 +23,7 @@ struct Technology {
   std::string name;          // its name without the ending
   std::string process;       // in words
   std::string liberty_file;  // that was read
+  std::string models_file;   // the cells in Verilog; may be empty
   Liberty liberty;
   std::string driving_cell;             // drives each input
   double load_ff = 0;                   // at each output

@@ -86,9 +86,10 @@ TEST_F(TechnologyFile, IsRead) {
 TEST_F(TechnologyFile, IsRefusedWithTheLine) {
   EXPECT_EQ(refused_with("load_ff = 3", "load_ff = \"3\""),
             ":3: expected load_ff to be a number from 0 to 1000000");
-  EXPECT_EQ(refused_with("load_ff", "load"),
-            ":3: expected process, liberty, package, driving_cell, load_ff, first_clock_ps, "
-            "flip_flops, not_used, macro, got load");
+  EXPECT_EQ(
+      refused_with("load_ff", "load"),
+      ":3: expected process, liberty, models, package, driving_cell, load_ff, first_clock_ps, "
+      "flip_flops, not_used, macro, got load");
   EXPECT_EQ(refused_with("first_clock_ps = 1000\n", ""), ":1: expected the key first_clock_ps");
   EXPECT_EQ(refused_with("[\"DFF\"]", "\"DFF\""), ":5: expected flip_flops to be a list of texts");
   EXPECT_EQ(refused_with("words = 64", "words = 0"),
