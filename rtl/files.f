@@ -1,8 +1,10 @@
 pineda_pkg.sv
+lib/booth_rows.sv
 lib/cycle_cause_pkg.sv
 lib/cycle_counters.sv
 lib/delay_line.sv
 lib/multiplier.sv
+lib/multiplier_pipelined.sv
 lib/stream_fifo.sv
 reciprocal/reciprocal.sv
 reciprocal/reciprocal_align.sv
@@ -38,6 +40,7 @@ setup/setup_values.sv
 setup/setup_with_plane.sv
 traversal/coverage_finder.sv
 traversal/stamp_sender.sv
+traversal/tile_start.sv
 traversal/tile_walker.sv
 traversal/traversal_unit.sv
 interp/attribute_interpolator.sv

@@ -68,7 +68,7 @@ module raster_top (
 `endif
   assign tri_ready_o = state_q == RUN && setup_ready;
   assign drained = setup_idle && !queued_prim_valid && traversal_idle && interp_ztest_idle;
-  assign end_ready_o = state_q == RUN && drained && !tri_valid_i;
+  assign end_ready_o = state_q == RUN && drained;
   assign idle_o = state_q == IDLE;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -158,6 +158,9 @@ module raster_top (
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      assert (!tri_valid_i || !end_valid_i) else $error("a triangle at the end of the frame");
+    end
     if (rst_ni && frame_valid_i) begin
       assert (frame_i.width != '0 && frame_i.height != '0) else $error("a frame without samples");
       assert (frame_i.cull <= pineda_pkg::CULL_FRONT) else $error("unknown cull state");

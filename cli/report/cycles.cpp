@@ -48,6 +48,7 @@ void print_fifos(const Output& output, const CycleCounters& spent) {
   output.line("  {:<22}{:>9}{:>11}{:>11}{:>11}", "FIFO", "depth", "mean", "empty", "full");
   for (size_t f = 0; f < timing::kFifos; ++f) {
     const std::vector<Cycle>& levels = spent.levels[f];
+    if (levels.size() == 1) continue;  // the design has none
     output.line("  {:<22}{:>9}{:>11.2f}{:>9.2f} %{:>9.2f} %",
                 timing::fifo_name(static_cast<timing::Fifo>(f)), levels.size() - 1,
                 mean_level(levels), percent(levels.front(), spent.drained),

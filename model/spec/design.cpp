@@ -55,19 +55,31 @@ constexpr Design flat() {
   return d;
 }
 
+constexpr Design dense() {
+  Design d;
+  d.name = "dense";
+  d.summary = "high_tile with 4x4 stamps: the most triangles and samples a mm^2";
+  d.tile_fifo_depth = 2;
+  d.plane_slots = 8;
+  d.stamp_width_log2 = d.stamp_height_log2 = 2;
+  return d;
+}
+
 constexpr Design wide() {
   Design d;
   d.name = "wide";
   d.summary = "high_tile with 4x4 stamps and a triangle a cycle";
   d.setup_style = SetupStyle::kPipelined;
-  d.prim_fifo_depth = 2;  // one of depth 1 takes a triangle every other cycle
+  d.multiplier_stages = 2;
+  d.prim_fifo_depth = 2;  // with one of depth 1 setup stops every other cycle
   d.tile_fifo_depth = 4;  // a tile has four stamps at most
   d.plane_slots = 12;
   d.stamp_width_log2 = d.stamp_height_log2 = 2;
   return d;
 }
 
-// Its error bounds are below one code, for frames of up to 1024 px: see error_bounds().
+// Its error bounds are below one code, for frames of up to 1024 px: see error_bounds(). Buffers are as
+// small as they may be for 60 frames/s of each scene of `study cycles`, on ASAP7 (docs/hardware.md).
 constexpr Design tiny() {
   Design d = point("tiny", "the smallest that is right for 640x480: one multiplier, 16-bit depth",
                    9, 1, 23, 13);
@@ -76,8 +88,11 @@ constexpr Design tiny() {
   d.depth_bits = 16;
   d.setup_style = SetupStyle::kSerial;
   d.tile_fraction_bits = 7;
-  d.stamp_width_log2 = d.stamp_height_log2 = 0;
+  d.stamp_width_log2 = d.stamp_height_log2 = d.tested_stamps_log2 = 0;
+  d.tile_fifo_depth = 0;
   d.stamp_fifo_depth = 2;
+  d.plane_slots = 2;
+  d.max_depth_latency_cycles = 8;
   return d;
 }
 
@@ -97,6 +112,7 @@ const std::vector<Design>& designs() {
       div28(),
       persp(),
       flat(),
+      dense(),
       wide(),
       tiny(),
       exact(),

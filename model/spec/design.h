@@ -60,6 +60,7 @@ struct Design {
 
   // Setup
   SetupStyle setup_style = SetupStyle::kStepped;
+  int multiplier_stages = 1;  // cycles of a product, where one starts every cycle
 
   // Planes
   int gradient_fraction_bits = 18;  // F: gradients, references, steps from tile to tile
@@ -79,8 +80,8 @@ struct Design {
       4;  // from an accepted depth write to the first tile test that sees it
 
   // Buffers
-  int prim_fifo_depth = 1;            // setup -> traversal
-  int tile_fifo_depth = 1;            // inside traversal: tile test -> stamps
+  int prim_fifo_depth = 0;            // setup -> traversal; 0: none, a wire
+  int tile_fifo_depth = 1;            // inside traversal: tile test -> coverage; 0: none
   int stamp_fifo_depth = 4;           // traversal -> interpolation
   int depth_latency_cycles = 8;       // default of the depth memory, request accepted -> response
   int plane_slots = 6;                // tiles whose planes are kept for stamps in flight
@@ -104,6 +105,15 @@ constexpr int plane_count(const Design& d) {
 /// weight products for perspective.
 constexpr bool has_reciprocal(const Design& d) {
   return d.reciprocal_scheme != ReciprocalScheme::kNone && (plane_count(d) > 0 || d.perspective);
+}
+
+/// Whether products start every cycle anywhere in the design.
+constexpr bool has_pipelined_products(const Design& d) {
+  return d.setup_style == SetupStyle::kPipelined || d.perspective;
+}
+/// Cycles of such a product.
+constexpr int multiplier_stages(const Design& d) {
+  return has_pipelined_products(d) ? d.multiplier_stages : 1;
 }
 
 /// Values written for a sample: interpolated attributes, then flat ones.

@@ -116,10 +116,13 @@ Constants constants(const Contract& c) {
           {"TILE_INDEX_BITS", w.tile_index, "tile column or row"},
           {"STAMP_X_BITS", w.stamp_x, "stamp column"},
           {"STAMP_Y_BITS", w.stamp_y, "stamp row"},
+          {"STAMP_COLUMN_BITS", w.stamp_column, "the same inside a tile; 1 where it is always 0"},
+          {"STAMP_ROW_BITS", w.stamp_row, ""},
           {"SETUP_INTERVAL_CYCLES", w.setup_interval_cycles, "a triangle every so many cycles"},
           {"SETUP_LATENCY_CYCLES", w.setup_latency_cycles, "from a triangle to its primitive"},
+          {"MULTIPLIER_STAGES", multiplier_stages(d), "of a product where one starts every cycle"},
           {"PRIM_FIFO_DEPTH", d.prim_fifo_depth, "setup -> traversal"},
-          {"TILE_FIFO_DEPTH", d.tile_fifo_depth, "tile test -> stamps"},
+          {"TILE_FIFO_DEPTH", d.tile_fifo_depth, "tile test -> coverage"},
           {"STAMP_FIFO_DEPTH", d.stamp_fifo_depth, "traversal -> interpolation"},
           {"PLANE_SLOTS", d.plane_slots, "tiles whose planes are kept for stamps in flight"}},
          &all);
@@ -130,7 +133,11 @@ Constants constants(const Contract& c) {
 Constants reciprocal_constants(const Design& d) {
   if (!has_reciprocal(d)) return {};
   Constants all{{"RECIPROCAL_BITS", d.reciprocal_bits, "k: mantissa of a reciprocal"},
-                {"RECIPROCAL_CYCLES", reciprocal_cycles(d), "from its number to it"}};
+                {"RECIPROCAL_CYCLES", reciprocal_cycles(d), "from the doubled area to it"}};
+  if (scheme_of(d).every_cycle) {
+    all.push_back({"PIPELINED_RECIPROCAL_CYCLES", pipelined_reciprocal_cycles(d),
+                   "the same where one starts every cycle"});
+  }
   append(scheme_of(d).constants(d), &all);
   return all;
 }

@@ -59,6 +59,7 @@ constexpr bool reciprocal_or_remainders(const Design& d) {
 constexpr bool rom(const Design& d) { return has_rom(d); }
 constexpr bool newton_steps(const Design& d) { return scheme_of(d).has_newton_steps; }
 constexpr bool hierarchical_z(const Design& d) { return d.hierarchical_z; }
+constexpr bool pipelined_products(const Design& d) { return has_pipelined_products(d); }
 }  // namespace having
 
 /// Upper limits that depend on other parameters.
@@ -76,6 +77,8 @@ inline constexpr Parameter kParameters[] = {
      having::reciprocal_or_remainders},
     {"setup_style", &Design::setup_style, having::anything, "",
      "six cycles a triangle or more, by shared multipliers; a triangle a cycle; one multiplier"},
+    {"multiplier_stages", Number{&Design::multiplier_stages, {1}, {2}}, having::pipelined_products,
+     "cycles", "of a product where one starts every cycle: `pipelined`, `perspective`"},
     {"depth_test", &Design::depth_test, having::anything, "",
      "false: no depth port, no table of stamps in flight, no queue"},
     {"perspective", &Design::perspective, having::anything, "", "attributes are corrected by 1/w"},
@@ -123,9 +126,9 @@ inline constexpr Parameter kParameters[] = {
      having::hierarchical_z, "tiles", "of a frame, row by row, the first ones"},
     {"hierarchical_z_delay_cycles", Number{&Design::hierarchical_z_delay_cycles, {1}, {64}},
      having::hierarchical_z, "cycles", "from a depth write to the first test that sees it"},
-    {"prim_fifo_depth", Number{&Design::prim_fifo_depth, {1}, {1024}}, having::anything, "",
+    {"prim_fifo_depth", Number{&Design::prim_fifo_depth, {0}, {1024}}, having::anything, "",
      "triangles between setup and tile test"},
-    {"tile_fifo_depth", Number{&Design::tile_fifo_depth, {1}, {1024}}, having::anything, "",
+    {"tile_fifo_depth", Number{&Design::tile_fifo_depth, {0}, {1024}}, having::anything, "",
      "tiles between tile test and coverage"},
     {"stamp_fifo_depth", Number{&Design::stamp_fifo_depth, {1}, {1024}}, having::anything, "",
      "stamps between traversal and interpolation"},

@@ -54,24 +54,26 @@ struct Widths {
   int attr_plane;        // the same for an attribute: s<attribute_bits+2>.F, wraps
   int depth_tile_plane;  // the same inside a tile: F' fraction bits
   int attr_tile_plane;
-  int value;               // input of the widest plane: z if there is depth, else an attribute
-  int value_fraction;      // its fraction bits
-  int numerator;           // its gradient numerator
-  int plane;               // its gradients and reference
-  int setup_factor_a;      // first factor of serial setup's multiplier
-  int setup_factor_b;      // second factor
-  int bias_constant;       // depth codes: sign and depth_bits
-  int bias_magnitude;      // max(|dz/dx|, |dz/dy|): UQ<depth_bits+3>.8, saturated
-  int depth_bias;          // sQ<depth_bits+1>.16, saturated: beyond it every code is clamped anyway
-  int frame_size;          // width, height: 1 .. 2^guard px
-  int pixel;               // pixel index inside a frame
-  int tile_index;          // tile column or row
-  int stamp_x;             // stamp column: the address of the depth and colour memories
-  int stamp_y;             // stamp row
-  int lanes;               // samples of a stamp (a count, not a width)
-  int tested_stamps_log2;  // stamps whose coverage is found in one cycle
-  int inflight_stamps;     // stamps between read issued and write accepted (a count)
-  int setup_planes_step;   // step of setup in which the first plane starts
+  int value;           // input of the widest plane: z if there is depth, else an attribute
+  int value_fraction;  // its fraction bits
+  int numerator;       // its gradient numerator
+  int plane;           // its gradients and reference
+  int setup_factor_a;  // first factor of serial setup's multiplier
+  int setup_factor_b;  // second factor
+  int bias_constant;   // depth codes: sign and depth_bits
+  int bias_magnitude;  // max(|dz/dx|, |dz/dy|): UQ<depth_bits+3>.8, saturated
+  int depth_bias;      // sQ<depth_bits+1>.16, saturated: beyond it every code is clamped anyway
+  int frame_size;      // width, height: 1 .. 2^guard px
+  int pixel;           // pixel index inside a frame
+  int tile_index;      // tile column or row
+  int stamp_x;         // stamp column: the address of the depth and colour memories
+  int stamp_y;         // stamp row
+  int stamp_column;    // the same inside a tile; 1 where it is always 0
+  int stamp_row;
+  int lanes;                      // samples of a stamp (a count, not a width)
+  int tested_stamps_log2;         // stamps whose coverage is found in one cycle
+  int inflight_stamps;            // stamps between read issued and write accepted (a count)
+  int setup_planes_step;          // step of setup in which the first plane starts
   int setup_interval_cycles;      // from an accepted triangle to the next one
   int setup_drop_cycles;          // the same after a dropped triangle
   int setup_drop_latency_cycles;  // from accepting a triangle to having dropped it
@@ -92,16 +94,28 @@ constexpr void stepped_setup_cycles(const Design& d, Widths* w) {
   w->setup_drop_cycles = w->setup_drop_latency_cycles = 6;  // known in step 5
   // Planes start from the second register of the triangle, written in step interval + 5.
   w->setup_planes_step = interval + 6;
-  // Edges are written in step 2 * interval + 8 or later, a plane 9 steps after its last slot starts.
-  const int edges = 2 * interval + 9;
+  // Edges are written in step 2 * interval + 9 or later, a plane 9 steps after its last slot starts.
+  const int edges = 2 * interval + 10;
   const int last_plane = planes > 0 ? w->setup_planes_step + slots + 9 : 0;
   w->setup_latency_cycles = last_plane > edges ? last_plane : edges;
+  // No triangle is taken in the step in which one is offered: that shall not be its turn.
+  if (w->setup_latency_cycles % interval == 0) ++w->setup_latency_cycles;
 }
 
-/// One triangle a cycle. All planes start together; edges are complete in step 8.
+/// One triangle a cycle. All planes start together. A product takes `extra` cycles more than one: those
+/// of the area come before the drop is known, those of the edges before these are complete, and a
+/// plane needs three, one after the other.
 constexpr void pipelined_setup_cycles(const Design& d, Widths* w) {
+  const int extra = multiplier_stages(d) - 1;
   w->setup_interval_cycles = w->setup_drop_cycles = 1;
-  w->setup_latency_cycles = plane_count(d) > 0 ? w->setup_planes_step + 8 : 9;
+  w->setup_drop_latency_cycles = 5 + extra;
+  // The reciprocal starts in step 5 + extra. A plane takes it 3 + extra cycles after its own start, in
+  // step 6 + extra at the earliest, when differences are there.
+  const int reciprocal_ready = 3 + reciprocal_cycles(d);
+  w->setup_planes_step = reciprocal_ready > 6 + extra ? reciprocal_ready : 6 + extra;
+  const int edges = 9 + 2 * extra;
+  const int planes = plane_count(d) > 0 ? w->setup_planes_step + 8 + 3 * extra : 0;
+  w->setup_latency_cycles = planes > edges ? planes : edges;
 }
 
 /// One product a cycle: two for the area, four for the edges in steps 5 to 8, those of the
@@ -111,8 +125,9 @@ constexpr void serial_setup_cycles(const Design& d, Widths* w) {
   const int products = 8 * plane_count(d) + (d.depth_test ? 1 : 0);
   // The last product is used one step later; edges are written in step 10.
   const int last = plane_count(d) > 0 ? w->setup_planes_step + products : 10;
-  w->setup_interval_cycles = w->setup_latency_cycles = last + 1;
-  w->setup_drop_cycles = 5;
+  w->setup_latency_cycles = last + 1;
+  w->setup_interval_cycles = last + 2;  // a triangle is taken when the output has been
+  w->setup_drop_cycles = w->setup_drop_latency_cycles = 5;  // known in step 4
   // Factors, all signed: edges multiply coordinate differences; planes multiply numerators by the
   // mantissa, and gradients by offsets (coordinate differences); the reciprocal has UQ0.(k+2).
   w->setup_factor_a = w->setup_factor_b = w->edge_coeff;
@@ -128,12 +143,6 @@ constexpr void serial_setup_cycles(const Design& d, Widths* w) {
 }
 
 constexpr void setup_cycles(const Design& d, Widths* w) {
-  // The reciprocal starts in step 5 and is rounded in the cycle after it is there; the first plane
-  // needs it 3 cycles after its own start. Planes start in step 6 at the earliest: they need the
-  // differences that step 5 writes.
-  const int reciprocal_ready = 5 + reciprocal_cycles(d) + 1 - 3;
-  w->setup_planes_step = reciprocal_ready > 6 ? reciprocal_ready : 6;
-  w->setup_drop_latency_cycles = 5;  // known in step 4
   switch (d.setup_style) {
     case SetupStyle::kStepped:
       return stepped_setup_cycles(d, w);
@@ -176,6 +185,8 @@ constexpr Widths widths(const Design& design) {
   w.tile_index = d.guard_bits - d.tile_log2;
   w.stamp_x = d.guard_bits - d.stamp_width_log2;
   w.stamp_y = d.guard_bits - d.stamp_height_log2;
+  w.stamp_column = d.tile_log2 > d.stamp_width_log2 ? d.tile_log2 - d.stamp_width_log2 : 1;
+  w.stamp_row = d.tile_log2 > d.stamp_height_log2 ? d.tile_log2 - d.stamp_height_log2 : 1;
   w.lanes = 1 << (d.stamp_width_log2 + d.stamp_height_log2);
   const int row_log2 = d.tile_log2 - d.stamp_width_log2;
   w.tested_stamps_log2 = d.tested_stamps_log2 < row_log2 ? d.tested_stamps_log2 : row_log2;
@@ -193,9 +204,13 @@ constexpr Widths widths(const Design& design) {
   w.numerator = d.depth_test ? w.depth_numerator : w.attr_numerator + attr_fraction;
   w.plane = d.depth_test ? w.depth_plane : w.attr_plane;
   setup_cycles(d, &w);
-  // Affine: one stage. Perspective: one stage each for E, products, alignment, weights and
-  // attributes, and the reciprocal of the sum.
-  w.attribute_cycles = d.attributes == 0 ? 0 : d.perspective ? 5 + reciprocal_cycles(d) : 1;
+  // Affine: one stage. Perspective: one for E, two for alignment, one each for the sum of the
+  // products, for weights and for attributes; a product before alignment, before weights and before
+  // attributes; and the reciprocal of the sum.
+  w.attribute_cycles = d.attributes == 0 ? 0 : 1;
+  if (d.perspective) {
+    w.attribute_cycles = 6 + 3 * multiplier_stages(d) + pipelined_reciprocal_cycles(d);
+  }
   return w;
 }
 

@@ -2,7 +2,7 @@
 //
 // Bits     core::interpolate_attributes() defines them: ref + i*dx + j*dy modulo the plane's width,
 //          one rounding, halves up, and a clamp. Lanes outside the mask are 0.
-// In       load_i with the stamp's place inside its tile, px, and its planes; from the next cycle
+// In       load_i with the stamp's place inside its tile and its planes; from the next cycle
 //          on start_i with the samples that passed.
 // Out      attr_o, in the cycle of start_i.
 // Rate     a stamp a cycle.
@@ -12,8 +12,8 @@ module attribute_interpolator (
   input  logic                                                               clk_i,
 
   input  logic                                                               load_i,
-  input  logic [pineda_pkg::TILE_LOG2-1:0]                                   i_i,
-  input  logic [pineda_pkg::TILE_LOG2-1:0]                                   j_i,
+  input  logic [pineda_pkg::STAMP_COLUMN_BITS-1:0]                           column_i,
+  input  logic [pineda_pkg::STAMP_ROW_BITS-1:0]                              row_i,
   input  logic [pineda_pkg::ATTRIBUTES*pineda_pkg::ATTR_TILE_PLANE_BITS-1:0] attr_dx_i,
   input  logic [pineda_pkg::ATTRIBUTES*pineda_pkg::ATTR_TILE_PLANE_BITS-1:0] attr_dy_i,
   input  logic [pineda_pkg::ATTRIBUTES*pineda_pkg::ATTR_TILE_PLANE_BITS-1:0] attr_ref_i,
@@ -35,8 +35,9 @@ module attribute_interpolator (
       for (int unsigned a = 0; a < ATTRIBUTES; a++) begin
         attr_q[a*PLANE_BITS +: PLANE_BITS] <=
             attr_ref_i[a*PLANE_BITS +: PLANE_BITS] +
-            attr_dx_i[a*PLANE_BITS +: PLANE_BITS] * PLANE_BITS'(i_i) +
-            attr_dy_i[a*PLANE_BITS +: PLANE_BITS] * PLANE_BITS'(j_i);
+            ((attr_dx_i[a*PLANE_BITS +: PLANE_BITS] * PLANE_BITS'(column_i)) << WIDTH_LOG2) +
+            ((attr_dy_i[a*PLANE_BITS +: PLANE_BITS] * PLANE_BITS'(row_i))
+             << pineda_pkg::STAMP_HEIGHT_LOG2);
       end
       attr_dx_q <= attr_dx_i;
       attr_dy_q <= attr_dy_i;

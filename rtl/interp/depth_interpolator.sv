@@ -2,7 +2,7 @@
 //
 // Bits     core::interpolate_depth() defines them: ref + i*dx + j*dy modulo the plane's width, plus
 //          the bias; one rounding, halves up, and a clamp. Lanes outside the mask are 0.
-// In       the stamp's place inside its tile, px, its mask and its plane; tag_i goes with it.
+// In       the stamp's place inside its tile, its mask and its plane; tag_i goes with it.
 // Out      z_o, 2 cycles later.
 // Rate     a stamp a cycle.
 // Twin     model/core/interp.cpp.
@@ -15,8 +15,8 @@ module depth_interpolator #(
 
   input  logic                                                stamp_valid_i,
   output logic                                                stamp_ready_o,
-  input  logic        [pineda_pkg::TILE_LOG2-1:0]             i_i,
-  input  logic        [pineda_pkg::TILE_LOG2-1:0]             j_i,
+  input  logic        [pineda_pkg::STAMP_COLUMN_BITS-1:0]     column_i,
+  input  logic        [pineda_pkg::STAMP_ROW_BITS-1:0]        row_i,
   input  logic        [pineda_pkg::LANES-1:0]                 mask_i,
   input  logic signed [pineda_pkg::DEPTH_TILE_PLANE_BITS-1:0] z_dx_i,
   input  logic signed [pineda_pkg::DEPTH_TILE_PLANE_BITS-1:0] z_dy_i,
@@ -58,8 +58,8 @@ module depth_interpolator #(
   always_ff @(posedge clk_i) begin
     if (stamp_valid_i && stamp_ready_o) begin
       mask1_q <= mask_i;
-      z1_q <= z_ref_i + z_dx_i * PLANE_BITS'(signed'({1'b0, i_i})) +
-              z_dy_i * PLANE_BITS'(signed'({1'b0, j_i}));
+      z1_q <= z_ref_i + ((z_dx_i * PLANE_BITS'(signed'({1'b0, column_i}))) <<< WIDTH_LOG2) +
+              ((z_dy_i * PLANE_BITS'(signed'({1'b0, row_i}))) <<< pineda_pkg::STAMP_HEIGHT_LOG2);
       z_dx1_q <= z_dx_i;
       z_dy1_q <= z_dy_i;
       bias1_q <= z_bias_i;

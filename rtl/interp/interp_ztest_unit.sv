@@ -65,9 +65,16 @@ module interp_ztest_unit (
   localparam int unsigned COEFF_BITS = pineda_pkg::EDGE_COEFF_BITS;
 `endif
 `ifdef PINEDA_DEPTH
-  localparam int unsigned TILE_LOG2 = pineda_pkg::TILE_LOG2;
+`define PINEDA_PLACES
 `elsif PINEDA_ATTRIBUTES
-  localparam int unsigned TILE_LOG2 = pineda_pkg::TILE_LOG2;
+`define PINEDA_PLACES
+`endif
+`ifdef PINEDA_PLACES
+  // A stamp's place inside its tile; 0 where a tile is a stamp wide or high
+  localparam int unsigned COLUMN_BITS = pineda_pkg::STAMP_COLUMN_BITS;
+  localparam int unsigned ROW_BITS = pineda_pkg::STAMP_ROW_BITS;
+  localparam logic HAS_COLUMNS = pineda_pkg::TILE_LOG2 > pineda_pkg::STAMP_WIDTH_LOG2;
+  localparam logic HAS_ROWS = pineda_pkg::TILE_LOG2 > pineda_pkg::STAMP_HEIGHT_LOG2;
 `endif
 
 `ifdef PINEDA_DEPTH
@@ -78,7 +85,7 @@ module interp_ztest_unit (
     logic [pineda_pkg::DEPTH_TILE_PLANE_BITS-1:0] z_ref;
     logic [pineda_pkg::DEPTH_BIAS_BITS-1:0]       z_bias;
   } depths_t;
-  depths_t depths_in, depths;
+  depths_t depths_in, depths_q;
   assign depths_in.z_dx = stamp_i.z_dx;
   assign depths_in.z_dy = stamp_i.z_dy;
   assign depths_in.z_ref = stamp_i.z_ref;
@@ -195,8 +202,21 @@ module interp_ztest_unit (
   localparam int unsigned INFLIGHT = pineda_pkg::INFLIGHT_STAMPS;
   localparam int unsigned ADDRESS_BITS = pineda_pkg::STAMP_X_BITS + pineda_pkg::STAMP_Y_BITS;
 
-  logic test;
-  assign test = depth_func_i != pineda_pkg::DEPTH_OFF;
+  // Raster state, so that no path leads from it to a port
+  logic [3:0] func_q;
+  logic write_q, test;
+  assign test = func_q != pineda_pkg::DEPTH_OFF;
+  always_ff @(posedge clk_i) begin
+    func_q <= depth_func_i;
+    write_q <= depth_write_i;
+  end
+`ifdef PINEDA_HIERARCHICAL_Z
+  logic [pineda_pkg::FRAME_SIZE_BITS-1:0] frame_width_q, frame_height_q;
+  always_ff @(posedge clk_i) begin
+    frame_width_q <= frame_width_i;
+    frame_height_q <= frame_height_i;
+  end
+`endif
 
   // ---- Issue: a stamp enters when no stamp ahead of it can still write what it reads
   logic hazard, table_full, table_empty, accept, retire;
@@ -213,9 +233,9 @@ module interp_ztest_unit (
     localparam int unsigned SIZE_BITS = pineda_pkg::FRAME_SIZE_BITS;
     assign depth_rd_o.mask[lane] =
         (SIZE_BITS'(next.x) << pineda_pkg::STAMP_WIDTH_LOG2) + SIZE_BITS'(COLUMN) <
-            frame_width_i &&
+            frame_width_q &&
         (SIZE_BITS'(next.y) << pineda_pkg::STAMP_HEIGHT_LOG2) + SIZE_BITS'(ROW) <
-            frame_height_i;
+            frame_height_q;
   end
 `else
   assign depth_rd_o.mask = next.mask;
@@ -259,38 +279,36 @@ module interp_ztest_unit (
   end
   assign {next_place.first, next_place.mask} = places_mem[z_place_q];
 
-  // ---- Depths: where the stamp is, then its planes
+  // ---- Depths: where the stamp is, and its planes
   logic [$bits(depths_in)-1:0] depths_mem [SLOTS];
   place_t stamp_q; // whose depths are interpolated, and its slot
-  logic [SLOT_BITS-1:0] stamp_slot_q;
+  logic [SLOT_BITS-1:0] stamp_slot, stamp_slot_q;
+  assign stamp_slot = next_place.first ? after(stamp_slot_q) : stamp_slot_q;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       z_valid_q <= 1'b0;
       stamp_slot_q <= '0;
     end else if (!z_valid_q || z_ready) begin
       z_valid_q <= z_start;
-      if (z_start && next_place.first) stamp_slot_q <= after(stamp_slot_q);
+      if (z_start) stamp_slot_q <= stamp_slot;
     end
   end
   always_ff @(posedge clk_i) begin
-    if (z_start) stamp_q <= next_place;
+    if (z_start) {stamp_q, depths_q} <= {next_place, depths_mem[stamp_slot]};
   end
   always_ff @(posedge clk_i) begin
     if (push && stamp_i.first) depths_mem[newest] <= depths_in;
   end
-  assign depths = depths_mem[stamp_slot_q];
 
   logic head_z_valid, rsp_valid;
   logic [LANES*Z_BITS-1:0] head_z;
   pineda_pkg::depth_data_t stored;
-  logic [TILE_LOG2-1:0] tile_x, tile_y; // of the stamp's first sample, from the tile's corner
-  assign tile_x = TILE_LOG2'(stamp_q.x) << pineda_pkg::STAMP_WIDTH_LOG2;
-  assign tile_y = TILE_LOG2'(stamp_q.y) << pineda_pkg::STAMP_HEIGHT_LOG2;
   depth_interpolator #(.TagBits($bits(stamp_q) + SLOT_BITS)) u_depth (
     .clk_i, .rst_ni,
     .stamp_valid_i(z_valid_q), .stamp_ready_o(z_ready),
-    .i_i(tile_x), .j_i(tile_y), .mask_i(stamp_q.mask),
-    .z_dx_i(depths.z_dx), .z_dy_i(depths.z_dy), .z_ref_i(depths.z_ref), .z_bias_i(depths.z_bias),
+    .column_i(COLUMN_BITS'(stamp_q.x) & {COLUMN_BITS{HAS_COLUMNS}}),
+    .row_i(ROW_BITS'(stamp_q.y) & {ROW_BITS{HAS_ROWS}}), .mask_i(stamp_q.mask),
+    .z_dx_i(depths_q.z_dx), .z_dy_i(depths_q.z_dy), .z_ref_i(depths_q.z_ref), .z_bias_i(depths_q.z_bias),
     .tag_i({stamp_q, stamp_slot_q}),
     .z_valid_o(head_z_valid), .z_ready_i(load), .tag_o({head, head_slot}), .z_o(head_z)
   );
@@ -305,7 +323,7 @@ module interp_ztest_unit (
   // ---- Depth test: which outcomes of the comparison pass
   logic pass_less, pass_equal, pass_greater;
   always_comb begin
-    case (depth_func_i)
+    case (func_q)
       pineda_pkg::DEPTH_LESS:     {pass_less, pass_equal, pass_greater} = 3'b100;
       pineda_pkg::DEPTH_LEQUAL:   {pass_less, pass_equal, pass_greater} = 3'b110;
       pineda_pkg::DEPTH_NEVER:    {pass_less, pass_equal, pass_greater} = 3'b000;
@@ -331,7 +349,7 @@ module interp_ztest_unit (
   // ---- The depth write: a stamp retires with it, or in its place when there is none
   logic depth_pending_q;
   logic [LANES*Z_BITS-1:0] z_q;
-  assign depth_wr_valid_o = depth_pending_q && test && depth_write_i && mask_q != '0;
+  assign depth_wr_valid_o = depth_pending_q && test && write_q && mask_q != '0;
   assign retire = depth_pending_q && (!depth_wr_valid_o || depth_wr_ready_i);
   assign write_free = (!depth_pending_q || retire) && (!color_pending_q || colors_ready);
   assign depth_wr_o.id = id_q;
@@ -428,15 +446,13 @@ module interp_ztest_unit (
   localparam int unsigned ATTRS_BITS = LANES * pineda_pkg::ATTRIBUTES * pineda_pkg::ATTR_BITS;
   logic attr_valid, attr_ready, token_valid, color_valid;
   logic [ATTRS_BITS-1:0] attr;
-  logic [TILE_LOG2-1:0] head_tile_x, head_tile_y;
-  assign head_tile_x = TILE_LOG2'(head.x) << pineda_pkg::STAMP_WIDTH_LOG2;
-  assign head_tile_y = TILE_LOG2'(head.y) << pineda_pkg::STAMP_HEIGHT_LOG2;
 
 `ifdef PINEDA_AFFINE
   attribute_interpolator u_attributes (
     .clk_i,
     .load_i(load && passed != '0),
-    .i_i(head_tile_x), .j_i(head_tile_y),
+    .column_i(COLUMN_BITS'(head.x) & {COLUMN_BITS{HAS_COLUMNS}}),
+    .row_i(ROW_BITS'(head.y) & {ROW_BITS{HAS_ROWS}}),
     .attr_dx_i(colors.attr_dx), .attr_dy_i(colors.attr_dy), .attr_ref_i(colors.attr_ref),
     .start_i(color_pending_q && colors_ready), .mask_i(mask_q),
     .attr_o(attr)
@@ -446,7 +462,8 @@ module interp_ztest_unit (
   perspective_interpolator u_attributes (
     .clk_i, .rst_ni,
     .load_i(load && passed != '0),
-    .i_i(head_tile_x), .j_i(head_tile_y),
+    .column_i(COLUMN_BITS'(head.x) & {COLUMN_BITS{HAS_COLUMNS}}),
+    .row_i(ROW_BITS'(head.y) & {ROW_BITS{HAS_ROWS}}),
     .a_i(colors.a), .b_i(colors.b), .e_i(colors.e), .e_low_i(colors.e_low),
     .inverse_w_i(colors.inverse_w), .inverse_w_shift_i(colors.inverse_w_shift),
     .vertex_attr_i(colors.vertex_attr),

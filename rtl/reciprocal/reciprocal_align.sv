@@ -10,15 +10,22 @@ module reciprocal_align #(
   output logic [LengthBits-1:0]  length_o,
   output logic [Width-1:0]       aligned_o
 );
-  // 'x while no value is there: it costs no gate and saves the simulator work.
+  // By half of the bits that are left, where these are all zero, then by half of that. 'x while no
+  // value is there: it costs no gate and saves the simulator work.
+  logic [LengthBits-1:0] shift;
   always_comb begin
+    shift = '0;
+    aligned_o = 'x;
     length_o = 'x;
     if (valid_i) begin
-      length_o = '0;
-      for (int unsigned i = 0; i < Width; i++) begin
-        if (value_i[i]) length_o = LengthBits'(i + 1);
+      aligned_o = value_i;
+      for (int k = LengthBits - 1; k >= 0; k--) begin
+        if ((1 << k) < Width && (aligned_o >> (Width - (1 << k))) == '0) begin
+          shift[k] = 1'b1;
+          aligned_o = aligned_o << (1 << k);
+        end
       end
+      length_o = LengthBits'(Width) - shift;
     end
   end
-  assign aligned_o = value_i << (LengthBits'(Width) - length_o);
 endmodule

@@ -2,12 +2,14 @@
 //
 // Bits     newton() in model/core/reciprocal.cpp.
 // In       aligned_i: the value with its leading one at the top, with start_i.
-// Out      x_o: 1/(2m) in UQ0.(k+1), truncated, 2 + 2*RECIPROCAL_NEWTON_STEPS cycles after start_i.
+// Out      x_o: 1/(2m) in UQ0.(k+1), truncated, 2 + 2*RECIPROCAL_NEWTON_STEPS*Stages cycles after
+//          start_i.
 // Rate     one result an enabled cycle; x_o stays until the next one.
 // Twin     model/core/reciprocal.cpp.
 `ifdef PINEDA_RECIPROCAL_NEWTON
 module reciprocal_newton_pipelined #(
-  parameter int unsigned Width = pineda_pkg::AREA2_BITS - 1
+  parameter int unsigned Width = pineda_pkg::AREA2_BITS - 1,
+  parameter int unsigned Stages = 1 // of a product
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
@@ -22,7 +24,7 @@ module reciprocal_newton_pipelined #(
   localparam int unsigned LUT_BITS = pineda_pkg::RECIPROCAL_LUT_BITS;
   localparam int unsigned ROM_BITS = pineda_pkg::RECIPROCAL_ROM_BITS;
   localparam int unsigned STEPS = pineda_pkg::RECIPROCAL_NEWTON_STEPS;
-  localparam int unsigned STAGES = 2 + 2 * STEPS;
+  localparam int unsigned STAGES = 2 + 2 * STEPS * Stages;
 
   // Bit i: stage i is taken.
   logic [STAGES-1:0] valid;
@@ -57,8 +59,8 @@ module reciprocal_newton_pipelined #(
   assign m_of[0 +: W] = m2_q;
   assign x_of[0 +: W] = x2_q;
   for (genvar i = 0; i < STEPS; i++) begin : g_step
-    reciprocal_newton_step u_step (
-      .clk_i, .enable_i, .valid_i(valid[2+2*i +: 2]),
+    reciprocal_newton_step #(.Stages(Stages)) u_step (
+      .clk_i, .enable_i, .valid_i(valid[2+2*Stages*i +: 2*Stages]),
       .m_i(m_of[i*W +: W]), .x_i(x_of[i*W +: W]),
       .m_o(m_of[(i+1)*W +: W]), .x_o(x_of[(i+1)*W +: W])
     );

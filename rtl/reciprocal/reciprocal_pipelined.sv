@@ -3,7 +3,7 @@
 //
 // Bits     core::reciprocal() defines them: 1/value = mantissa * 2^(1 - k - length).
 // In       value_i > 0, with valid_i.
-// Out      length_o and mantissa_o, UQ0.k in [1/2, 1): spec::reciprocal_cycles() after valid_i.
+// Out      length_o and mantissa_o, UQ0.k in [1/2, 1): PIPELINED_RECIPROCAL_CYCLES after valid_i.
 // Rate     one result an enabled cycle.
 // Twin     model/core/reciprocal.cpp.
 `ifdef PINEDA_RECIPROCAL_NEWTON
@@ -27,12 +27,30 @@ module reciprocal_pipelined #(
   output logic [pineda_pkg::RECIPROCAL_BITS-1:0]  mantissa_o
 );
   localparam int unsigned K = pineda_pkg::RECIPROCAL_BITS;
-  localparam int unsigned CYCLES = pineda_pkg::RECIPROCAL_CYCLES;
+  localparam int unsigned CYCLES = pineda_pkg::PIPELINED_RECIPROCAL_CYCLES;
+  localparam int unsigned M = pineda_pkg::MULTIPLIER_STAGES;
 
   logic [LengthBits-1:0] length;
-  logic [Width-1:0] aligned;
+  logic [Width-1:0] aligned, start_aligned;
+  logic start;
   reciprocal_align #(.Width(Width), .LengthBits(LengthBits)) u_align (
     .valid_i, .value_i, .length_o(length), .aligned_o(aligned)
+  );
+
+  // Alignment takes M cycles; the scheme has a register for the last of them.
+  logic [M-1:0] valid;
+  assign valid[0] = valid_i;
+  if (M > 1) begin : g_valid
+    logic [M-1:1] valid_q;
+    assign valid[M-1:1] = valid_q;
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) valid_q <= '0;
+      else if (enable_i) valid_q <= valid[M-2:0];
+    end
+  end
+  assign start = valid[M-1];
+  delay_line #(.Width(Width), .Depth(M - 1)) u_aligned (
+    .clk_i, .enable_i, .data_i(aligned), .data_o(start_aligned)
   );
 
   logic [CYCLES*LengthBits-1:0] length_q; // the newest lowest
@@ -41,8 +59,8 @@ module reciprocal_pipelined #(
   end
 
   logic [K:0] x;
-  `PINEDA_RECIPROCAL_PIPELINED #(.Width(Width)) u_scheme (
-    .clk_i, .rst_ni, .enable_i, .start_i(valid_i), .aligned_i(aligned), .x_o(x)
+  `PINEDA_RECIPROCAL_PIPELINED #(.Width(Width), .Stages(M)) u_scheme (
+    .clk_i, .rst_ni, .enable_i, .start_i(start), .aligned_i(start_aligned), .x_o(x)
   );
 
   logic [K:0] rounded;

@@ -2,12 +2,13 @@
 //
 // Bits     quadratic() in model/core/reciprocal.cpp.
 // In       aligned_i: the number with its leading one at the top, in the cycle of start_i.
-// Out      x_o: 1/(2m) in UQ0.(k+1), truncated, from 4 cycles after start_i on.
+// Out      x_o: 1/(2m) in UQ0.(k+1), truncated, from 2 + 2*Stages cycles after start_i on.
 // Rate     a pipeline: one result an enabled cycle; x_o stays until the next one.
 // Twin     model/core/reciprocal.cpp.
 `ifdef PINEDA_RECIPROCAL_QUADRATIC
 module reciprocal_quadratic #(
-  parameter int unsigned Width = pineda_pkg::AREA2_BITS - 1
+  parameter int unsigned Width = pineda_pkg::AREA2_BITS - 1,
+  parameter int unsigned Stages = 1 // of a product
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
@@ -34,49 +35,65 @@ module reciprocal_quadratic #(
     assign m = {aligned_i[Width-2:0], {(W-Width){1'b0}}};
   end
 
-  // Stages: m, coefficients and square, products, sum
-  logic [2:0] valid_q;
+  // Stages: m; coefficients and square; products; sum. Bit i: stage i is taken.
+  localparam int unsigned SQUARE = 1;
+  localparam int unsigned PRODUCTS = SQUARE + Stages;
+  localparam int unsigned SUM = PRODUCTS + Stages;
+  logic [SUM:0] valid;
+  logic [SUM:1] valid_q;
+  assign valid = {valid_q, start_i};
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) valid_q <= '0;
-    else if (enable_i) valid_q <= {valid_q[1:0], start_i};
+    else if (enable_i) valid_q <= valid[SUM-1:0];
   end
 
   // m = 1 index t, from the top.
   logic [W-2:0] m_q;
-  logic [T_BITS-1:0] t;
-  assign t = m_q[T_BITS-1:0];
-  logic [2*T_BITS-1:0] square;
-  assign square = (2*T_BITS)'(t) * (2*T_BITS)'(t);
+  logic [T_BITS-1:0] t1, t2;
+  logic [C0_BITS-1:0] c0, base;
+  logic [C1_BITS-1:0] c1;
+  logic [C2_BITS-1:0] c2;
+  assign t1 = m_q[T_BITS-1:0];
+  delay_line #(.Width(T_BITS + C0_BITS + C1_BITS + C2_BITS), .Depth(Stages)) u_products (
+    .clk_i, .enable_i,
+    .data_i({t1, pineda_pkg::reciprocal_rom(m_q[W-2 -: LUT_BITS])}), .data_o({t2, c0, c1, c2})
+  );
+  delay_line #(.Width(C0_BITS), .Depth(Stages)) u_base (
+    .clk_i, .enable_i, .data_i(c0), .data_o(base)
+  );
 
-  logic [C0_BITS-1:0] c0_q, base_q;
-  logic [C1_BITS-1:0] c1_q;
-  logic [C2_BITS-1:0] c2_q;
-  logic [T_BITS-1:0] t_q, square_q;
+  logic [2*T_BITS-1:0] square;
   logic [C1_BITS+T_BITS-1:0] linear;
   logic [C2_BITS+T_BITS-1:0] curve;
-  assign linear = (C1_BITS+T_BITS)'(c1_q) * (C1_BITS+T_BITS)'(t_q);
-  assign curve = (C2_BITS+T_BITS)'(c2_q) * (C2_BITS+T_BITS)'(square_q);
+  multiplier_pipelined #(
+    .ABits(T_BITS + 1), .BBits(T_BITS + 1), .ProductBits(2*T_BITS), .Stages(Stages)
+  ) u_square (
+    .clk_i, .enable_i, .valid_i(valid[SQUARE +: Stages]),
+    .a_i(signed'({1'b0, t1})), .b_i(signed'({1'b0, t1})), .addend_i('0), .product_o(square)
+  );
+  multiplier_pipelined #(
+    .ABits(T_BITS + 1), .BBits(C1_BITS + 1), .ProductBits(C1_BITS + T_BITS), .Stages(Stages)
+  ) u_linear (
+    .clk_i, .enable_i, .valid_i(valid[PRODUCTS +: Stages]),
+    .a_i(signed'({1'b0, t2})), .b_i(signed'({1'b0, c1})), .addend_i('0), .product_o(linear)
+  );
+  multiplier_pipelined #(
+    .ABits(T_BITS + 1), .BBits(C2_BITS + 1), .ProductBits(C2_BITS + T_BITS), .Stages(Stages)
+  ) u_curve (
+    .clk_i, .enable_i, .valid_i(valid[PRODUCTS +: Stages]),
+    .a_i(signed'({1'b0, square[2*T_BITS-1:T_BITS]})), .b_i(signed'({1'b0, c2})), .addend_i('0),
+    .product_o(curve)
+  );
 
-  logic [C1_BITS-1:0] linear_q;
-  logic [C2_BITS-1:0] curve_q;
   logic [W-1:0] sum;
-  assign sum = {1'b1, base_q} - W'(linear_q) + W'(curve_q);
+  assign sum = {1'b1, base} - W'(linear[C1_BITS+T_BITS-1:T_BITS]) +
+               W'(curve[C2_BITS+T_BITS-1:T_BITS]);
 
   logic [K:0] x_q;
   always_ff @(posedge clk_i) begin
     if (enable_i) begin
       if (start_i) m_q <= m;
-      if (valid_q[0]) begin
-        {c0_q, c1_q, c2_q} <= pineda_pkg::reciprocal_rom(m_q[W-2 -: LUT_BITS]);
-        t_q <= t;
-        square_q <= square[2*T_BITS-1:T_BITS];
-      end
-      if (valid_q[1]) begin
-        base_q <= c0_q;
-        linear_q <= linear[C1_BITS+T_BITS-1:T_BITS];
-        curve_q <= curve[C2_BITS+T_BITS-1:T_BITS];
-      end
-      if (valid_q[2]) x_q <= sum[W-1:1];
+      if (valid[SUM]) x_q <= sum[W-1:1];
     end
   end
 

@@ -14,13 +14,15 @@ module setup_gradient #(
   output logic signed [ProductBits-1:0]            cut_o,
   output logic signed [WideBits-1:0]               gradient_o
 );
-  // product * 2^-shift, rounded half up: shifted by one bit less, one added, halved.
-  localparam int unsigned SHIFT_BITS = 7;
-  localparam int unsigned SHIFT_BASE = pineda_pkg::RECIPROCAL_BITS - 2 -
-      pineda_pkg::GRADIENT_FRACTION_BITS - pineda_pkg::SUBPIXEL_BITS + FractionBits;
-  logic [SHIFT_BITS-1:0] shift_less_1;
-  assign shift_less_1 = SHIFT_BITS'(length_i) + SHIFT_BITS'(SHIFT_BASE);
-  assign cut_o = product_i >>> shift_less_1;
+  // product * 2^-shift, rounded half up: shifted by one bit less, one added, halved. DROPPED bits
+  // fall off whatever the length is.
+  localparam int LEAST_SHIFT = pineda_pkg::RECIPROCAL_BITS + FractionBits - 2 -
+      pineda_pkg::GRADIENT_FRACTION_BITS - pineda_pkg::SUBPIXEL_BITS;
+  localparam int unsigned DROPPED = LEAST_SHIFT > 0 ? LEAST_SHIFT : 0;
+  localparam int unsigned SHIFT_BITS = pineda_pkg::AREA2_LENGTH_BITS;
+  logic [SHIFT_BITS-1:0] shift;
+  assign shift = LEAST_SHIFT < 0 ? length_i - SHIFT_BITS'(1) : length_i;
+  assign cut_o = (product_i >>> DROPPED) >>> shift;
 
   logic signed [WideBits:0] cut, rounded;
   assign cut = (WideBits+1)'(cut_o);

@@ -1,9 +1,10 @@
 // The planes of a triangle a cycle: a pipeline for each of them, one reciprocal for all.
 //
 // Bits     core::setup() defines them.
-// In       area2_i in cycle 5 of the triangle, in cycle 6 the triangle in canonical order and its
-//          offsets; valid_i: which of the seven cycles from SETUP_PLANES_STEP on have one.
-// Out      prim_o: prim_i with the planes, in cycle SETUP_PLANES_STEP + 7.
+// In       with M = MULTIPLIER_STAGES: area2_i in cycle 4 + M of the triangle, in the next one the
+//          triangle in canonical order and its offsets; valid_i: which of the cycles from
+//          SETUP_PLANES_STEP on have one.
+// Out      prim_o: prim_i with the planes, in cycle SETUP_PLANES_STEP + 4 + 3M.
 // Rate     a triangle an enabled cycle.
 // Twin     model/core/planes.cpp.
 `ifdef PINEDA_SETUP_PIPELINED
@@ -18,7 +19,7 @@ module setup_parallel_planes (
 
   input  logic                                           area2_valid_i,
   input  logic [pineda_pkg::AREA2_BITS-2:0]              area2_i,
-  input  logic [6:0]                                     valid_i,
+  input  logic [3+3*pineda_pkg::MULTIPLIER_STAGES:0]     valid_i,
   input  pineda_pkg::triangle_t                          tri_i,
   // Vertices 1 and 2 from the anchor; the first sample from the anchor
   input  logic signed [pineda_pkg::EDGE_COEFF_BITS-1:0]  dx1_i,
@@ -35,31 +36,34 @@ module setup_parallel_planes (
   localparam int unsigned START = pineda_pkg::SETUP_PLANES_STEP; // cycle of stage 0
   localparam int unsigned K = pineda_pkg::RECIPROCAL_BITS;
   localparam int unsigned LENGTH_BITS = pineda_pkg::AREA2_LENGTH_BITS;
-  localparam int unsigned RECIPROCAL_DONE = 5 + pineda_pkg::RECIPROCAL_CYCLES;
+  localparam int unsigned M = pineda_pkg::MULTIPLIER_STAGES;
+  localparam int unsigned AREA = 4 + M;
+  localparam int unsigned OFFSETS = AREA + 1;
+  localparam int unsigned RECIPROCAL_DONE = AREA + pineda_pkg::PIPELINED_RECIPROCAL_CYCLES;
 
   // ---- The inputs of the stages, each delayed to the cycle in which its stage takes it
-  logic [K-1:0] mantissa, mantissa3;
-  logic [LENGTH_BITS-1:0] length, length4;
+  logic [K-1:0] mantissa, start_mantissa;
+  logic [LENGTH_BITS-1:0] length, start_length;
   reciprocal_pipelined #(.LengthBits(LENGTH_BITS)) u_reciprocal (
     .clk_i, .rst_ni, .enable_i, .valid_i(area2_valid_i), .value_i(area2_i),
     .length_o(length), .mantissa_o(mantissa)
   );
-  delay_line #(.Width(K), .Depth(START + 3 - RECIPROCAL_DONE)) u_mantissa (
-    .clk_i, .enable_i, .data_i(mantissa), .data_o(mantissa3)
+  delay_line #(.Width(K), .Depth(START + 2 + M - RECIPROCAL_DONE)) u_mantissa (
+    .clk_i, .enable_i, .data_i(mantissa), .data_o(start_mantissa)
   );
-  delay_line #(.Width(LENGTH_BITS), .Depth(START + 4 - RECIPROCAL_DONE)) u_length (
-    .clk_i, .enable_i, .data_i(length), .data_o(length4)
+  delay_line #(.Width(LENGTH_BITS), .Depth(START + 2 + 2*M - RECIPROCAL_DONE)) u_length (
+    .clk_i, .enable_i, .data_i(length), .data_o(start_length)
   );
   pineda_pkg::triangle_t start_tri;
-  delay_line #(.Width(pineda_pkg::TRIANGLE_BITS), .Depth(START - 6)) u_tri (
+  delay_line #(.Width(pineda_pkg::TRIANGLE_BITS), .Depth(START - OFFSETS)) u_tri (
     .clk_i, .enable_i, .data_i(tri_i), .data_o(start_tri)
   );
-  logic signed [COEFF_BITS-1:0] dx1_1, dy1_1, dx2_1, dy2_1, ref_x5, ref_y5;
-  delay_line #(.Width(4*COEFF_BITS), .Depth(START - 5)) u_differences (
-    .clk_i, .enable_i, .data_i({dx1_i, dy1_i, dx2_i, dy2_i}), .data_o({dx1_1, dy1_1, dx2_1, dy2_1})
+  logic signed [COEFF_BITS-1:0] dx1, dy1, dx2, dy2, ref_x, ref_y;
+  delay_line #(.Width(4*COEFF_BITS), .Depth(START + 1 - OFFSETS)) u_differences (
+    .clk_i, .enable_i, .data_i({dx1_i, dy1_i, dx2_i, dy2_i}), .data_o({dx1, dy1, dx2, dy2})
   );
-  delay_line #(.Width(2*COEFF_BITS), .Depth(START - 1)) u_reference (
-    .clk_i, .enable_i, .data_i({ref_x_i, ref_y_i}), .data_o({ref_x5, ref_y5})
+  delay_line #(.Width(2*COEFF_BITS), .Depth(START + 3 + 2*M - OFFSETS)) u_reference (
+    .clk_i, .enable_i, .data_i({ref_x_i, ref_y_i}), .data_o({ref_x, ref_y})
   );
 
 `ifdef PINEDA_DEPTH
@@ -72,12 +76,12 @@ module setup_parallel_planes (
 `endif
   setup_plane u_depth (
     .clk_i, .enable_i, .valid_i, .values_i(start_tri.z),
-    .dx1_i(dx1_1), .dy1_i(dy1_1), .dx2_i(dx2_1), .dy2_i(dy2_1),
-    .mantissa_i(mantissa3), .length_i(length4), .ref_x_i(ref_x5), .ref_y_i(ref_y5),
+    .dx1_i(dx1), .dy1_i(dy1), .dx2_i(dx2), .dy2_i(dy2),
+    .mantissa_i(start_mantissa), .length_i(start_length), .ref_x_i(ref_x), .ref_y_i(ref_y),
     .cut_x_o(cut_x), .cut_y_o(cut_y), .dx_o(z_dx), .dy_o(z_dy), .ref_o(z_ref)
   );
-  setup_plane_bias #(.CutBits(CUT_BITS)) u_bias (
-    .clk_i, .enable_i, .valid_i(valid_i[6:4]), .frame_i, .cut_x_i(cut_x), .cut_y_i(cut_y),
+  setup_plane_bias #(.CutBits(CUT_BITS), .Stages(M)) u_bias (
+    .clk_i, .enable_i, .valid_i(valid_i[2+2*M +: 2+M]), .frame_i, .cut_x_i(cut_x), .cut_y_i(cut_y),
 `ifdef PINEDA_HIERARCHICAL_Z
     .steep_o(z_steep),
 `endif
@@ -105,8 +109,8 @@ module setup_parallel_planes (
       .ValueBits(VALUE_BITS), .FractionBits(1), .NumeratorBits(NUMERATOR_BITS), .PlaneBits(BITS)
     ) u_plane (
       .clk_i, .enable_i, .valid_i, .values_i(values),
-      .dx1_i(dx1_1), .dy1_i(dy1_1), .dx2_i(dx2_1), .dy2_i(dy2_1),
-      .mantissa_i(mantissa3), .length_i(length4), .ref_x_i(ref_x5), .ref_y_i(ref_y5),
+      .dx1_i(dx1), .dy1_i(dy1), .dx2_i(dx2), .dy2_i(dy2),
+      .mantissa_i(start_mantissa), .length_i(start_length), .ref_x_i(ref_x), .ref_y_i(ref_y),
       .cut_x_o(no_bias_x), .cut_y_o(no_bias_y),
       .dx_o(attr_dx[i*BITS +: BITS]), .dy_o(attr_dy[i*BITS +: BITS]),
       .ref_o(attr_ref[i*BITS +: BITS])

@@ -225,6 +225,7 @@ module setup_planes (
   );
 
   // ---- Stage 5: the halves together, attributes in units of 2^-FRACTION. Stage 6: shifted, rounded
+  localparam int unsigned DROPPED = FRACTION + K > F + S + 2 ? FRACTION + K - F - S - 2 : 0;
   logic signed [PRODUCT_BITS-1:0] sum_x, sum_y, sum_x_q, sum_y_q;
   always_comb begin
     sum_x = PRODUCT_BITS'(g_product_x_q) <<< FRACTION;
@@ -239,6 +240,9 @@ module setup_planes (
       sum_y = (PRODUCT_BITS'(g_product_y_q) <<< N_LOW) + sum_y_q;
     end
 `endif
+    // What setup_gradient does not read
+    sum_x = (sum_x >>> DROPPED) <<< DROPPED;
+    sum_y = (sum_y >>> DROPPED) <<< DROPPED;
   end
   logic signed [PRODUCT_BITS-1:0] cut_x, cut_y;
   logic signed [WIDE_BITS-1:0] g_x, g_y, g_x_q, g_y_q, g_x7_q, g_y7_q;

@@ -3,7 +3,7 @@
 // Bits     core::setup() defines every output bit.
 // In, Out  as setup_unit.
 // Rate     1 triangle every SETUP_INTERVAL_CYCLES; a dropped one takes 5 cycles. The next triangle
-//          is taken with the primitive. Back-pressure freezes the whole unit.
+//          is taken after the primitive. Back-pressure freezes the whole unit.
 // Drops    as setup_unit.
 // Twin     model/core/setup.cpp.
 `ifdef PINEDA_SETUP_SERIAL
@@ -29,9 +29,9 @@ module setup_serial (
   localparam int unsigned PIXEL_BITS = pineda_pkg::PIXEL_BITS;
   localparam int unsigned A_BITS = pineda_pkg::SETUP_FACTOR_A_BITS;
   localparam int unsigned B_BITS = pineda_pkg::SETUP_FACTOR_B_BITS;
-  localparam int unsigned STEP_BITS = $clog2(pineda_pkg::SETUP_INTERVAL_CYCLES);
+  localparam int unsigned STEP_BITS = $clog2(pineda_pkg::SETUP_LATENCY_CYCLES);
   localparam logic [STEP_BITS-1:0] LAST_STEP =
-      STEP_BITS'(pineda_pkg::SETUP_INTERVAL_CYCLES - 1);
+      STEP_BITS'(pineda_pkg::SETUP_LATENCY_CYCLES - 1);
 
   // ---- Control: step_q = 0 waits for a triangle, the steps below are numbered by it
   logic [STEP_BITS-1:0] step_q;
@@ -40,10 +40,10 @@ module setup_serial (
   logic prim_valid_q;
   pineda_pkg::setup_prim_t prim_q;
   assign advance = !(prim_valid_q && !prim_ready_i);
-  assign tri_ready_o = advance && step_q == '0;
+  assign tri_ready_o = step_q == '0 && !prim_valid_q;
   assign prim_valid_o = prim_valid_q;
   assign prim_o = prim_q;
-  assign working_o = step_q != '0;
+  assign working_o = step_q != '0 || prim_valid_q;
   assign idle_o = step_q == '0 && !prim_valid_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -52,7 +52,7 @@ module setup_serial (
       prim_valid_q <= 1'b0;
     end else if (advance) begin
       prim_valid_q <= step_q == LAST_STEP;
-      if (step_q == '0) step_q <= STEP_BITS'(tri_valid_i);
+      if (step_q == '0) step_q <= STEP_BITS'(tri_valid_i && tri_ready_o);
       else if (step_q == LAST_STEP || (step_q == STEP_BITS'(4) && drop)) step_q <= '0;
       else step_q <= step_q + STEP_BITS'(1);
     end

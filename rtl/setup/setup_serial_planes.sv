@@ -121,10 +121,10 @@ module setup_serial_planes (
 
 `ifdef PINEDA_DEPTH
   localparam int unsigned MAGNITUDE_BITS = pineda_pkg::BIAS_MAGNITUDE_BITS;
-  logic signed [MAGNITUDE_BITS+1:0] saturated;
+  logic [MAGNITUDE_BITS:0] part;
   logic [MAGNITUDE_BITS-1:0] magnitude, magnitude_q;
   setup_magnitude #(.CutBits(PRODUCT_BITS)) u_magnitude (
-    .cut_i(cut), .saturated_o(saturated), .saturated_i(saturated), .magnitude_o(magnitude)
+    .cut_i(cut), .part_o(part), .part_i(part), .magnitude_o(magnitude)
   );
   setup_bias u_bias (
     .frame_i, .slope_i(product_i[MAGNITUDE_BITS+pineda_pkg::BIAS_SLOPE_BITS:0]), .bias_o

@@ -42,7 +42,8 @@ module setup_stepped (
   logic working_q;                // one was taken in phase 0
   logic advance, drop;
   assign advance = !(step_q[LATENCY] && !prim_ready_i);
-  assign tri_ready_o = advance && (phase_q == '0 || step_q == '0);
+  // LATENCY is no multiple of I, so no turn is lost by this, and no path leads from ready to ready.
+  assign tri_ready_o = !step_q[LATENCY] && (phase_q == '0 || step_q == '0);
   assign working_o = working_q && phase_q != '0;
   assign step = {step_q, tri_valid_i && tri_ready_o};
   assign prim_valid_o = step_q[LATENCY];
@@ -64,46 +65,45 @@ module setup_stepped (
     end
   end
 
-  // ---- The multiplier: two products for the area in steps 2 and 3, four for the edges in steps
-  // that these leave free. The first product of a pair waits for the second one.
-  localparam int unsigned EDGE0 = I + 7;
-  localparam int unsigned EDGE1 = 2 * I + 4;
-  localparam int unsigned EDGE2 = 2 * I + 5;
-  localparam int unsigned EDGE3 = 2 * I + 6;
-  logic signed [COEFF_BITS-1:0] factor_a, factor_b;
+  // ---- The multiplier: two products for the area in steps 2 and 3, two for each of two edges in
+  // steps that these leave free. Its factors are chosen in the step before; a step after the second
+  // product of a pair both are there.
+  localparam int unsigned EDGE0 = 2 * I + 4;
+  localparam int unsigned EDGE1 = 2 * I + 5;
+  localparam int unsigned EDGE2 = 2 * I + 6;
+  localparam int unsigned EDGE3 = 2 * I + 7;
+  logic signed [COEFF_BITS-1:0] factor_a, factor_b, factor_a_q, factor_b_q;
   logic signed [2*COEFF_BITS-1:0] product;
-  logic signed [AREA2_BITS-1:0] product_q, area_product_q, edge_product_q;
+  logic signed [AREA2_BITS-1:0] first_q, second_q, difference;
   multiplier #(.ABits(COEFF_BITS), .BBits(COEFF_BITS)) u_product (
-    .a_i(factor_a), .b_i(factor_b), .addend_i('0), .product_o(product)
+    .a_i(factor_a_q), .b_i(factor_b_q), .addend_i('0), .product_o(product)
   );
   always_ff @(posedge clk_i) begin
     if (advance) begin
-      product_q <= AREA2_BITS'(product);
-      if (step[3]) area_product_q <= product_q;
-      if (step[EDGE0+1] || step[EDGE2+1]) edge_product_q <= product_q;
+      {factor_a_q, factor_b_q} <= {factor_a, factor_b};
+      {first_q, second_q} <= {second_q, AREA2_BITS'(product)};
     end
   end
+  assign difference = first_q - second_q;
 
-  // ---- Steps 0 and 1: the triangle; differences, extremes, anchor
+  // ---- Steps 0 to 4: the triangle; its box, its doubled area
   pineda_pkg::triangle_t tri_q;
   logic signed [COEFF_BITS-1:0] raw_dx1, raw_dy1, raw_dx2, raw_dy2;
-  logic signed [COEFF_BITS-1:0] raw_dx1_q, raw_dy1_q, raw_dx2_q, raw_dy2_q;
   setup_differences u_raw (
     .x_i(tri_q.x), .y_i(tri_q.y),
     .dx1_o(raw_dx1), .dy1_o(raw_dy1), .dx2_o(raw_dx2), .dy2_o(raw_dy2)
   );
   logic [1:0] anchor, anchor_q;
-  logic signed [COORD_BITS-1:0] x_low, x_high, y_low, y_high, x_low_q, x_high_q, y_low_q, y_high_q;
+  logic signed [COORD_BITS-1:0] x_low, x_high, y_low, y_high;
   setup_extremes u_extremes (
     .x_i(tri_q.x), .y_i(tri_q.y), .anchor_o(anchor),
     .x_low_o(x_low), .x_high_o(x_high), .y_low_o(y_low), .y_high_o(y_high)
   );
 
-  // ---- Steps 2 to 4: box, doubled area
   logic empty, empty_q;
   logic [4*PIXEL_BITS-1:0] box, box_q, box2_q, box3_q, box4_q;
   setup_box u_box (
-    .frame_i, .x_low_i(x_low_q), .x_high_i(x_high_q), .y_low_i(y_low_q), .y_high_i(y_high_q),
+    .frame_i, .x_low_i(x_low), .x_high_i(x_high), .y_low_i(y_low), .y_high_i(y_high),
     .empty_o(empty), .box_o(box)
   );
   logic signed [AREA2_BITS-1:0] area2_q;
@@ -113,7 +113,7 @@ module setup_stepped (
   logic [AREA2_BITS-2:0] abs_area2, area2_2q, area2_3q, area2_4q;
   setup_drop u_drop (
 `ifdef PINEDA_COUNTERS
-    // The inputs of the box do not change before the next triangle's step 1.
+    // The triangle is still there.
     .clk_i, .count_i(advance && step[5]),
     .no_sample_i(u_box.u_x.no_sample || u_box.u_y.no_sample),
 `endif
@@ -126,43 +126,28 @@ module setup_stepped (
     .frame_i, .tri_i(tri_q), .anchor_i(anchor_q), .clockwise_i(clockwise), .tri_o(canonical)
   );
 
-  // ---- Step 6: vertices 1 and 2 from the anchor, the first sample from the anchor
+  // ---- Step I + 6: vertices 1 and 2 from the anchor, the first sample from the anchor
   typedef struct packed {
     logic signed [COEFF_BITS-1:0] dx1, dy1, dx2, dy2, ref_x, ref_y;
   } offsets_t;
-  offsets_t offsets, offsets2_q, offsets3_q, offsets4_q;
+  offsets_t offsets, offsets3_q, offsets4_q;
   setup_differences u_differences (
-    .x_i(tri2_q.x), .y_i(tri2_q.y),
+    .x_i(tri3_q.x), .y_i(tri3_q.y),
     .dx1_o(offsets.dx1), .dy1_o(offsets.dy1), .dx2_o(offsets.dx2), .dy2_o(offsets.dy2)
   );
   setup_reference u_reference (
-    .x_i(tri2_q.x[COORD_BITS-1:0]), .y_i(tri2_q.y[COORD_BITS-1:0]),
-    .box_i(box2_q[2*PIXEL_BITS-1:0]), .ref_x_o(offsets.ref_x), .ref_y_o(offsets.ref_y)
+    .x_i(tri3_q.x[COORD_BITS-1:0]), .y_i(tri3_q.y[COORD_BITS-1:0]),
+    .box_i(box3_q[2*PIXEL_BITS-1:0]), .ref_x_o(offsets.ref_x), .ref_y_o(offsets.ref_y)
   );
 
   always_ff @(posedge clk_i) begin
     if (advance) begin
       if (step[0]) tri_q <= tri_i;
-      if (step[1]) begin
-        raw_dx1_q <= raw_dx1;
-        raw_dy1_q <= raw_dy1;
-        raw_dx2_q <= raw_dx2;
-        raw_dy2_q <= raw_dy2;
-        anchor_q <= anchor;
-        x_low_q <= x_low;
-        x_high_q <= x_high;
-        y_low_q <= y_low;
-        y_high_q <= y_high;
-      end
-      if (step[2]) begin
-        empty_q <= empty;
-        box_q <= box;
-      end
-      if (step[4]) area2_q <= area_product_q - product_q;
+      if (step[2]) {anchor_q, empty_q, box_q} <= {anchor, empty, box};
+      if (step[4]) area2_q <= difference;
       if (step[5]) {tri2_q, box2_q, area2_2q} <= {canonical, box_q, abs_area2};
-      if (step[6]) offsets2_q <= offsets;
       if (step[I+5]) {tri3_q, box3_q, area2_3q} <= {tri2_q, box2_q, area2_2q};
-      if (step[I+6]) offsets3_q <= offsets2_q;
+      if (step[I+6]) offsets3_q <= offsets;
       if (step[2*I+5]) {tri4_q, box4_q, area2_4q} <= {tri3_q, box3_q, area2_3q};
       if (step[2*I+6]) offsets4_q <= offsets3_q;
     end
@@ -171,17 +156,17 @@ module setup_stepped (
   // ---- E of edges 0 and 2 from the anchor, which lies on both
   logic signed [AREA2_BITS-1:0] e0_q, e2_q;
   always_comb begin
-    factor_a = raw_dx1_q;
-    factor_b = raw_dy2_q;
-    if (step[3]) begin factor_a = raw_dx2_q; factor_b = raw_dy1_q; end
-    if (step[EDGE0]) begin factor_a = offsets3_q.dx1; factor_b = offsets3_q.ref_y; end
-    if (step[EDGE1]) begin factor_a = offsets3_q.dy1; factor_b = offsets3_q.ref_x; end
-    if (step[EDGE2]) begin factor_a = offsets3_q.dy2; factor_b = offsets3_q.ref_x; end
-    if (step[EDGE3]) begin factor_a = offsets3_q.dx2; factor_b = offsets3_q.ref_y; end
+    factor_a = raw_dx1;
+    factor_b = raw_dy2;
+    if (step[2]) begin factor_a = raw_dx2; factor_b = raw_dy1; end
+    if (step[EDGE0-1]) begin factor_a = offsets3_q.dx1; factor_b = offsets3_q.ref_y; end
+    if (step[EDGE1-1]) begin factor_a = offsets3_q.dy1; factor_b = offsets3_q.ref_x; end
+    if (step[EDGE2-1]) begin factor_a = offsets3_q.dy2; factor_b = offsets3_q.ref_x; end
+    if (step[EDGE3-1]) begin factor_a = offsets3_q.dx2; factor_b = offsets3_q.ref_y; end
   end
   always_ff @(posedge clk_i) begin
-    if (advance && step[EDGE1+1]) e0_q <= edge_product_q - product_q;
-    if (advance && step[EDGE3+1]) e2_q <= edge_product_q - product_q;
+    if (advance && step[EDGE1+1]) e0_q <= difference;
+    if (advance && step[EDGE3+1]) e2_q <= difference;
   end
 
   // ---- The output register: each plane when it comes; edges in a step in which they are there, and

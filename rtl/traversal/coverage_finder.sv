@@ -2,12 +2,12 @@
 // box, row by row from the top, each from the left.
 //
 // Bits     core::StampWalk defines them.
-// In       tile_i.
+// In       tile_i; start_e_i: its edges at the first sample of the first group.
 // Out      group_o: the masks of a group's stamps, the left one's lowest; at least one sample is
 //          covered. stamp_o: the first of them but for its mask; `first` belongs to the first that is
 //          sent.
-// Rate     a group is tested a cycle, from one tile to the next without a bubble, as long as groups
-//          with a covered sample are taken; the others are passed over.
+// Rate     a group is tested a cycle, as long as groups with a covered sample are taken; the others
+//          are passed over. From one tile to the next without a bubble, unless TILE_FIFO_DEPTH is 0.
 // Twin     model/core/traversal.cpp.
 module coverage_finder (
   input  logic                clk_i,
@@ -16,6 +16,7 @@ module coverage_finder (
   input  logic                tile_valid_i,
   output logic                tile_ready_o,
   input  pineda_pkg::tile_t   tile_i,
+  input  logic [3*pineda_pkg::TILE_EDGE_BITS-1:0]  start_e_i,
 
   output logic                group_valid_o,
   input  logic                group_ready_i,
@@ -54,7 +55,7 @@ module coverage_finder (
   assign advance = busy_q && (group_o == '0 || group_ready_i);
   assign row_end = x_q == X_BITS'(tile_q.x1 >> WIDTH_LOG2);
   assign last_group = row_end && y_q == Y_BITS'(tile_q.y1 >> HEIGHT_LOG2);
-  assign tile_ready_o = !busy_q || (advance && last_group);
+  assign tile_ready_o = !busy_q || (pineda_pkg::TILE_FIFO_DEPTH > 0 && advance && last_group);
   assign busy_o = busy_q;
 
   // ---- The test: a sample is covered when it lies in the box and no edge is negative there
@@ -122,27 +123,12 @@ module coverage_finder (
   // ---- The walk
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) busy_q <= 1'b0;
-    else if (tile_ready_o) busy_q <= tile_valid_i;
+    else if (!busy_q || (advance && last_group)) busy_q <= tile_valid_i && tile_ready_o;
   end
 
-  // At the first group of the box in a tile that comes: its first sample lies a multiple of a group
-  // from the tile's. Then group by group, or from the row's first one down, by the same adders.
-  logic [3*EDGE_BITS-1:0] start_e, next_e;
+  // Group by group, or from the row's first one down, by the same adders
+  logic [3*EDGE_BITS-1:0] next_e;
   for (genvar i = 0; i < 3; i++) begin : gen_walk
-    logic signed [EDGE_BITS-1:0] start_a, start_b;
-    assign start_a = EDGE_BITS'(signed'(tile_i.a[i*COEFF_BITS +: COEFF_BITS])) <<< WIDTH_LOG2;
-    assign start_b = EDGE_BITS'(signed'(tile_i.b[i*COEFF_BITS +: COEFF_BITS])) <<< HEIGHT_LOG2;
-    always_comb begin
-      start_e[i*EDGE_BITS +: EDGE_BITS] = tile_i.e[i*EDGE_BITS +: EDGE_BITS];
-      for (int unsigned k = WIDTH_LOG2; k < TILE_LOG2; k++) begin
-        start_e[i*EDGE_BITS +: EDGE_BITS] = start_e[i*EDGE_BITS +: EDGE_BITS] +
-            (tile_i.x0[k] ? start_a << (k - WIDTH_LOG2) : '0);
-      end
-      for (int unsigned k = HEIGHT_LOG2; k < TILE_LOG2; k++) begin
-        start_e[i*EDGE_BITS +: EDGE_BITS] = start_e[i*EDGE_BITS +: EDGE_BITS] +
-            (tile_i.y0[k] ? start_b << (k - HEIGHT_LOG2) : '0);
-      end
-    end
     assign next_e[i*EDGE_BITS +: EDGE_BITS] =
         (row_end ? row_e_q[i*EDGE_BITS +: EDGE_BITS] : tile_q.e[i*EDGE_BITS +: EDGE_BITS]) +
         (row_end ? EDGE_BITS'(signed'(tile_q.b[i*COEFF_BITS +: COEFF_BITS])) << HEIGHT_LOG2
@@ -158,8 +144,8 @@ module coverage_finder (
       first_q <= 1'b1;
       x_q <= X_BITS'(tile_i.x0 >> WIDTH_LOG2);
       y_q <= Y_BITS'(tile_i.y0 >> HEIGHT_LOG2);
-      tile_q.e <= start_e;
-      row_e_q <= start_e;
+      tile_q.e <= start_e_i;
+      row_e_q <= start_e_i;
     end else if (advance) begin
       if (group_valid_o) first_q <= 1'b0;
       x_q <= row_end ? X_BITS'(tile_q.x0 >> WIDTH_LOG2) : x_q + X_BITS'(1);

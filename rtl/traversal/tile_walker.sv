@@ -8,8 +8,8 @@
 //          depth stored in tile tile_x_o, tile_y_o, the top bits.
 // Out      tile_o: a tile that no edge rejects and that is not hidden, its edges and planes
 //          referred to its first sample.
-// Rate     one tile test a cycle, from one triangle to the next without a bubble, as long as kept
-//          tiles are taken.
+// Rate     one tile test a cycle, as long as kept tiles are taken; from one triangle to the next
+//          without a bubble, unless PRIM_FIFO_DEPTH is 0 or hierarchical z hides tiles.
 // Twin     model/core/traversal.cpp.
 module tile_walker (
   input  logic                     clk_i,
@@ -77,7 +77,12 @@ module tile_walker (
   assign advance = busy_q && (dropped || tile_ready_i);
   assign tile_valid_o = busy_q && !dropped;
   assign busy_o = busy_q;
-  assign prim_ready_o = !busy_q || (advance && last_tile);
+  // No path leads from the test to the unit in front if there is no FIFO between, nor from depths.
+`ifdef PINEDA_HIERARCHICAL_Z
+  assign prim_ready_o = !busy_q;
+`else
+  assign prim_ready_o = !busy_q || (pineda_pkg::PRIM_FIFO_DEPTH > 0 && advance && last_tile);
+`endif
 
   // ---- The test. From the tile's first sample to its last it is 2^TILE_LOG2 - 1 px; each sum is
   // an E' at a corner sample, so it fits.
@@ -185,7 +190,7 @@ module tile_walker (
   // ---- The walk: one tile to the right, or down to the first tile of the next row
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) busy_q <= 1'b0;
-    else if (prim_ready_o) busy_q <= prim_valid_i;
+    else if (!busy_q || (advance && last_tile)) busy_q <= prim_valid_i && prim_ready_o;
   end
 
   // From this tile, or from the first one of the row, by the same adders

@@ -47,19 +47,39 @@ module traversal_unit (
     .busy_o(tiles_busy)
   );
 
-  // Rejected tiles are passed over while the stamps of earlier ones are sent.
+  // Rejected tiles are passed over while the stamps of earlier ones are sent. Perspective alone needs
+  // edges at the tile's first sample behind the FIFO.
+  localparam int unsigned E_BITS = 3 * pineda_pkg::TILE_EDGE_BITS;
+  logic [E_BITS-1:0] walked_start_e, start_e;
+  tile_start u_start (.tile_i(walked), .start_e_o(walked_start_e));
+`ifdef PINEDA_PERSPECTIVE
+  stream_fifo #(
+    .Width(E_BITS + pineda_pkg::TILE_BITS), .Depth(pineda_pkg::TILE_FIFO_DEPTH)
+  ) u_fifo (
+    .clk_i, .rst_ni,
+    .in_valid_i(walked_valid), .in_ready_o(walked_ready), .in_data_i({walked_start_e, walked}),
+    .out_valid_o(tile_valid), .out_ready_i(tile_ready), .out_data_o({start_e, tile})
+  );
+`else
+  pineda_pkg::tile_t started;
+  always_comb begin
+    started = walked;
+    started.e = walked_start_e;
+  end
   stream_fifo #(.Width(pineda_pkg::TILE_BITS), .Depth(pineda_pkg::TILE_FIFO_DEPTH)) u_fifo (
     .clk_i, .rst_ni,
-    .in_valid_i(walked_valid), .in_ready_o(walked_ready), .in_data_i(walked),
+    .in_valid_i(walked_valid), .in_ready_o(walked_ready), .in_data_i(started),
     .out_valid_o(tile_valid), .out_ready_i(tile_ready), .out_data_o(tile)
   );
+  assign start_e = tile.e;
+`endif
 
   logic group_valid, group_ready, coverage_busy;
   logic [(pineda_pkg::LANES<<pineda_pkg::TESTED_STAMPS_LOG2)-1:0] group;
   pineda_pkg::stamp_t found;
   coverage_finder u_coverage (
     .clk_i, .rst_ni,
-    .tile_valid_i(tile_valid), .tile_ready_o(tile_ready), .tile_i(tile),
+    .tile_valid_i(tile_valid), .tile_ready_o(tile_ready), .tile_i(tile), .start_e_i(start_e),
     .group_valid_o(group_valid), .group_ready_i(group_ready), .group_o(group),
     .stamp_o(found),
     .busy_o(coverage_busy)

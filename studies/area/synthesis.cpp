@@ -36,6 +36,16 @@ bool has_state(const RtlilCell& cell) {
          cell.type.rfind("$sdff", 0) == 0 || cell.type.rfind("$mem", 0) == 0;
 }
 
+/// Whether a module has state, and more than registers with an enable: those are mapped where they
+/// stand, so that what nobody reads of them is left out.
+bool is_mapped_alone(const RtlilModule& module) {
+  const auto is_register = [](const RtlilCell& cell) {
+    return cell.type == "$mux" || cell.type.find("dff") != std::string::npos;
+  };
+  return std::any_of(module.cells.begin(), module.cells.end(), has_state) &&
+         !std::all_of(module.cells.begin(), module.cells.end(), is_register);
+}
+
 bool is_memory(const RtlilCell& cell, long least_bits) {
   if (cell.type != "$mem_v2") return false;
   const auto& p = cell.parameter;
@@ -151,7 +161,7 @@ std::string Synthesis::split(const std::string& design, long least_memory_bits,
   kept.insert(std::begin(kUnits), std::end(kUnits));
   for (const RtlilModule& module : parse_rtlil(design)) {
     const std::string name = bare(module.name);
-    if (std::any_of(module.cells.begin(), module.cells.end(), has_state)) kept.insert(name);
+    if (is_mapped_alone(module)) kept.insert(name);
     int number = 0;
     for (const RtlilCell& cell : module.cells) {
       if (!is_memory(cell, least_memory_bits)) continue;

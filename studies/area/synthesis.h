@@ -24,7 +24,8 @@ std::string unit_name(const std::string& module);
 /// Errors   AreaError: a file cannot be read.
 std::string sources_of(const spec::Contract& contract);
 
-/// A module with state, a unit or the top; modules without state are part of those that hold them.
+/// A module with state, a unit or the top. Modules without state, or with nothing but registers, are
+/// part of those that hold them.
 /// A memory is a module of its own.
 struct SynthesizedModule {
   std::string name;

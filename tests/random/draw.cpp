@@ -48,6 +48,7 @@ void draw_setup(Random* r, spec::Design* d) {
   draw(r, &spec::Design::reciprocal_newton_steps, d);
   draw(r, &spec::Design::reciprocal_bits, d);
   d->setup_style = static_cast<spec::SetupStyle>(r->between(0, 2));
+  draw(r, &spec::Design::multiplier_stages, d);
   draw(r, &spec::Design::gradient_fraction_bits, d);
   draw(r, &spec::Design::tile_fraction_bits, d);
 }
@@ -61,8 +62,8 @@ void draw_raster(Random* r, spec::Design* d) {
   draw(r, &spec::Design::hierarchical_z_bits, d);
   d->hierarchical_z_tiles = scaled(r, 14);
   d->hierarchical_z_delay_cycles = scaled(r, 6);
-  d->prim_fifo_depth = scaled(r, 6);
-  d->tile_fifo_depth = scaled(r, 6);
+  d->prim_fifo_depth = r->between(0, 2) == 0 ? 0 : scaled(r, 6);
+  d->tile_fifo_depth = r->between(0, 2) == 0 ? 0 : scaled(r, 6);
   d->stamp_fifo_depth = scaled(r, 6);
   d->plane_slots = 1 + scaled(r, 5);
   d->max_depth_latency_cycles = scaled(r, 6);
@@ -201,12 +202,13 @@ spec::Design random_design(uint64_t seed) {
 
 std::string summary_of(const spec::Design& d) {
   return fmt::format(
-      "{} l{} n{} k{} {}, S{} g{}, {}{}, {}+{} of {} bits{}, F{}/{}, tile {}, stamp {}x{}, FIFOs "
+      "{} l{} n{} k{} {} m{}, S{} g{}, {}{}, {}+{} of {} bits{}, F{}/{}, tile {}, stamp {}x{}, "
+      "FIFOs "
       "{} "
       "{} {}, {} planes, latency {}",
       spec::name_of(d.reciprocal_scheme), d.reciprocal_lut_bits, d.reciprocal_newton_steps,
-      d.reciprocal_bits, spec::name_of(d.setup_style), d.subpixel_bits, d.guard_bits,
-      d.depth_test ? fmt::format("z{}", d.depth_bits) : "no z",
+      d.reciprocal_bits, spec::name_of(d.setup_style), d.multiplier_stages, d.subpixel_bits,
+      d.guard_bits, d.depth_test ? fmt::format("z{}", d.depth_bits) : "no z",
       d.hierarchical_z ? fmt::format(" hidden {}b {} tiles {} cycles", d.hierarchical_z_bits,
                                      d.hierarchical_z_tiles, d.hierarchical_z_delay_cycles)
                        : "",

@@ -29,7 +29,7 @@ TEST(RandomDesigns, EveryKindOfPartIsDrawn) {
   std::set<int> tiles;
   std::set<int> stamps;
   std::set<std::array<bool, 3>> parts;
-  for (uint64_t seed = 1; seed <= 200; ++seed) {
+  for (uint64_t seed = 1; seed <= 400; ++seed) {
     const spec::Design d = random_design(seed);
     ASSERT_EQ(spec::invalid_reason(d), "") << seed;
     schemes.insert(d.reciprocal_scheme);

@@ -9,10 +9,14 @@
 #include "Vpipelined28_newton_small.h"
 #include "Vpipelined28_quadratic.h"
 #include "Vpipelined28_rom.h"
+#include "Vpipelined28_slow_affine.h"
+#include "Vpipelined28_slow_persp.h"
 #include "Vpipelined_high_tile.h"
 #include "Vpipelined_newton_small.h"
 #include "Vpipelined_quadratic.h"
 #include "Vpipelined_rom.h"
+#include "Vpipelined_slow_affine.h"
+#include "Vpipelined_slow_persp.h"
 #include "Vpipelined_unit_more.h"
 #include "model/core/reciprocal.h"
 #include "tests/rtl/lone.h"
@@ -32,7 +36,7 @@ class Pipeline {
     model_.rst_ni = 0;
     clock(&model_);
     model_.rst_ni = 1;
-    cycles_ = spec::reciprocal_cycles(contract_.design);
+    cycles_ = spec::pipelined_reciprocal_cycles(contract_.design);
   }
 
   /// Feeds `count` numbers, a gap `gaps` times in eight, a stall `stalls` times in eight, and
@@ -89,6 +93,8 @@ TEST(ReciprocalPipelinedRtl, MatchesModelOfDoubledAreas) {
   expect_agreement<Vpipelined_high_tile>("high_tile", 0);
   expect_agreement<Vpipelined_newton_small>("newton_small", 0);
   expect_agreement<Vpipelined_quadratic>("quadratic", 0);
+  expect_agreement<Vpipelined_slow_persp>("slow_persp", 0);
+  expect_agreement<Vpipelined_slow_affine>("slow_affine", 0);
 }
 
 TEST(ReciprocalPipelinedRtl, MatchesModelOf28Bits) {
@@ -96,6 +102,8 @@ TEST(ReciprocalPipelinedRtl, MatchesModelOf28Bits) {
   expect_agreement<Vpipelined28_high_tile>("high_tile", 28);
   expect_agreement<Vpipelined28_newton_small>("newton_small", 28);
   expect_agreement<Vpipelined28_quadratic>("quadratic", 28);
+  expect_agreement<Vpipelined28_slow_persp>("slow_persp", 28);
+  expect_agreement<Vpipelined28_slow_affine>("slow_affine", 28);
 }
 
 TEST(ReciprocalPipelinedRtlMutant, UnitTooMuchAtTheStartOfACellIsCaught) {

@@ -21,6 +21,10 @@
 #include "Vsetup_serial_persp.h"
 #include "Vsetup_serial_z16.h"
 #include "Vsetup_serial_z32.h"
+#include "Vsetup_slow_affine.h"
+#include "Vsetup_slow_edges.h"
+#include "Vsetup_slow_persp.h"
+#include "Vsetup_slow_z32.h"
 #include "Vsetup_stepped_affine.h"
 #include "Vsetup_stepped_z32.h"
 #include "Vsetup_tiny.h"
@@ -55,6 +59,10 @@ SETUP(pipelined_z16)
 SETUP(pipelined_affine)
 SETUP(pipelined_persp)
 SETUP(pipelined_edges)
+SETUP(slow_z32)
+SETUP(slow_affine)
+SETUP(slow_persp)
+SETUP(slow_edges)
 SETUP(serial_z32)
 SETUP(serial_z16)
 SETUP(serial_high)
@@ -65,7 +73,8 @@ using SetupModels =
     testing::Types<Vsetup_rom, Vsetup_high_tile, Vsetup_persp, Vsetup_flat, Vsetup_wide,
                    Vsetup_tiny, Vsetup_stepped_z32, Vsetup_stepped_affine, Vsetup_pipelined_z32,
                    Vsetup_pipelined_z16, Vsetup_pipelined_affine, Vsetup_pipelined_persp,
-                   Vsetup_pipelined_edges, Vsetup_serial_z32, Vsetup_serial_z16, Vsetup_serial_high,
+                   Vsetup_pipelined_edges, Vsetup_slow_z32, Vsetup_slow_affine, Vsetup_slow_persp,
+                   Vsetup_slow_edges, Vsetup_serial_z32, Vsetup_serial_z16, Vsetup_serial_high,
                    Vsetup_serial_affine, Vsetup_serial_persp>;
 
 template <class Model>

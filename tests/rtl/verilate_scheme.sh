@@ -7,7 +7,10 @@ rtl=$1 top=$2 package=$3 folder=$4 verilator=$5
 name=$(basename "$folder")
 rm -rf "$folder"
 mkdir -p "$folder/rtl"
-cp "$rtl"/reciprocal/*.sv "$rtl"/setup/*.sv "$rtl"/lib/delay_line.sv "$rtl"/lib/multiplier.sv "$folder/rtl"
+cp "$rtl"/reciprocal/*.sv "$rtl"/setup/*.sv "$folder/rtl"
+for module in booth_rows delay_line multiplier multiplier_pipelined; do
+  cp "$rtl/lib/$module.sv" "$folder/rtl"
+done
 if [ $# -gt 5 ]; then
   sed -i "$6" "$folder"/rtl/*.sv
   changed=no

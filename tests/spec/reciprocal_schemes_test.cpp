@@ -60,7 +60,7 @@ TEST(ReciprocalSchemes, EachSaysItsCyclesErrorAndWhatThePackageNames) {
     const Design d = of(scheme);
     const bool is_none = scheme.value == ReciprocalScheme::kNone;
     EXPECT_EQ(has_reciprocal(d), !is_none) << scheme.word;
-    EXPECT_EQ(scheme.cycles(d) >= 2, !is_none) << scheme.word;
+    EXPECT_EQ(scheme.cycles(d, 1) >= 2, !is_none) << scheme.word;
     EXPECT_EQ(scheme.constants(d).empty(), is_none) << scheme.word;
     EXPECT_EQ(scheme.logic_bits(d, 47) > 0, !is_none) << scheme.word;
     // The last rounding alone moves a mantissa by half a unit, of 2^-k: a relative 2^-k.

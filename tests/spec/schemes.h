@@ -89,6 +89,12 @@ constexpr Design perspective(Design d, bool depth_test) {
   return d;
 }
 
+/// Products in two cycles.
+constexpr Design slow_products(Design d) {
+  d.multiplier_stages = 2;
+  return d;
+}
+
 /// No planes.
 constexpr Design edges(Design d) {
   d.depth_test = false;
@@ -108,6 +114,10 @@ inline constexpr Design kSetups[] = {
     setup_design("pipelined_affine", SetupStyle::kPipelined, affine(kSchemes[2])),
     setup_design("pipelined_persp", SetupStyle::kPipelined, perspective(kHighTile, true)),
     setup_design("pipelined_edges", SetupStyle::kPipelined, edges(kHighTile)),
+    setup_design("slow_z32", SetupStyle::kPipelined, slow_products(z32(kNewton32))),
+    setup_design("slow_affine", SetupStyle::kPipelined, slow_products(affine(kSchemes[2]))),
+    setup_design("slow_persp", SetupStyle::kPipelined, slow_products(perspective(kHighTile, true))),
+    setup_design("slow_edges", SetupStyle::kPipelined, slow_products(edges(kHighTile))),
     setup_design("serial_z32", SetupStyle::kSerial, z32(kRestoring32)),
     setup_design("serial_z16", SetupStyle::kSerial, z16(kSchemes[0])),
     setup_design("serial_high", SetupStyle::kSerial, kHighTile),

@@ -35,30 +35,30 @@ class RasterTopTiming : public testing::Test {
   Record record_;
 };
 
-// Accepted in 2, set up in 29, its tile tested in 31, its stamp found in 33 and sent in 34; read in
-// 35, response in 44, depth write in 45, and in 46, behind interpolation, the colour write.
-TEST_F(RasterTopTiming, OneStampTakesFortySevenCycles) {
+// Accepted in 2, set up in 29, its tile tested in 30, its stamp found in 32 and sent in 33; read in
+// 34, response in 43, depth write in 44, and in 45, behind interpolation, the colour write.
+TEST_F(RasterTopTiming, OneStampTakesFortySixCycles) {
   const auto result = run({{2, 2}, {cover()}});
   EXPECT_EQ(cycles_of(record_.prims), Cycles{29});
-  EXPECT_EQ(cycles_of(record_.stamps), Cycles{34});
-  EXPECT_EQ(cycles_of(record_.depths), Cycles{45});
-  EXPECT_EQ(cycles_of(record_.colors), Cycles{46});
-  EXPECT_EQ(result.cycles, 47);
-  EXPECT_EQ(result.spent.drained, 47);
+  EXPECT_EQ(cycles_of(record_.stamps), Cycles{33});
+  EXPECT_EQ(cycles_of(record_.depths), Cycles{44});
+  EXPECT_EQ(cycles_of(record_.colors), Cycles{45});
+  EXPECT_EQ(result.cycles, 46);
+  EXPECT_EQ(result.spent.drained, 46);
 }
 
 // The depth that is compared is interpolated in 4 cycles, in which a latency of 3 is hidden.
 TEST_F(RasterTopTiming, EachCycleOfLatencyCostsOne) {
   for (int latency = 1; latency <= 64; ++latency) {
     top_.set_depth_latency_cycles(latency);
-    EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 39 + std::max(latency, 3));
+    EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 38 + std::max(latency, 3));
   }
 }
 
 TEST_F(RasterTopTiming, DepthOffDoesNotWaitForTheMemory) {
   top_.set_depth_latency_cycles(64);
   const auto result = run({{2, 2, spec::Cull::kNone, spec::DepthFunc::kOff}, {cover(), cover()}});
-  EXPECT_EQ(cycles_of(record_.colors), (Cycles{41, 47}));
+  EXPECT_EQ(cycles_of(record_.colors), (Cycles{40, 46}));
   EXPECT_TRUE(record_.depths.empty());
   EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kHazard], 0);
 }
@@ -70,51 +70,51 @@ TEST_F(RasterTopTiming, FrameWithoutWritesLastsToItsClear) {
   EXPECT_EQ(dropped.spent.drained, 8);
 }
 
-// The second stamp of the same address arrives in 41. The first one's read is accepted in 35, its
-// write in 35 + 66: the address is free in 102.
+// The second stamp of the same address arrives in 40. The first one's read is accepted in 34, its
+// write in 34 + 66: the address is free in 101.
 TEST_F(RasterTopTiming, StampOfAnAddressInFlightWaitsForItsWrite) {
   top_.set_depth_latency_cycles(64);
   const auto result = run({{2, 2}, {cover(1000), cover(999)}});
-  EXPECT_EQ(cycles_of(record_.depths), (Cycles{101, 168}));
-  EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kHazard], 102 - 41);
+  EXPECT_EQ(cycles_of(record_.depths), (Cycles{100, 167}));
+  EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kHazard], 101 - 40);
 }
 
 // The address of a stamp that fails the test is in flight as long as if it had been written.
 TEST_F(RasterTopTiming, HazardDoesNotDependOnDepth) {
   top_.set_depth_latency_cycles(64);
   const auto result = run({{2, 2}, {cover(1000), cover(2000), cover(500)}});
-  EXPECT_EQ(cycles_of(record_.depths), (Cycles{101, 235}));
-  EXPECT_EQ(result.cycles, 237);
+  EXPECT_EQ(cycles_of(record_.depths), (Cycles{100, 234}));
+  EXPECT_EQ(result.cycles, 236);
 }
 
 TEST_F(RasterTopTiming, StampEveryCycleAtTheLongestLatency) {
   top_.set_depth_latency_cycles(16);
   const auto result = run({{64, 64}, {cover()}});
   ASSERT_EQ(record_.colors.size(), 1024u);
-  for (size_t i = 0; i < 1024; ++i) ASSERT_EQ(record_.colors[i].cycle, 54 + i);
+  for (size_t i = 0; i < 1024; ++i) ASSERT_EQ(record_.colors[i].cycle, 53 + i);
   EXPECT_EQ(result.of(Unit::kStamps)[Cause::kBusy], 1024);
   EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kBusy], 1024);
   EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kBlocked], 0);
 }
 
-// 20 stamps are in flight: the 21st waits until the first one's write in 35 + 102 has freed a slot.
+// 20 stamps are in flight: the 21st waits until the first one's write in 34 + 102 has freed a slot.
 TEST_F(RasterTopTiming, LatencyBeyondTheTableIsSlower) {
   top_.set_depth_latency_cycles(100);
   const auto result = run({{8, 16}, {cover()}});
   ASSERT_EQ(record_.colors.size(), 32u);
-  EXPECT_EQ(record_.colors[19].cycle, 138u + 19);
-  EXPECT_EQ(record_.colors[20].cycle, 138u + 103);
-  EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kBlocked], 138 - 55);
+  EXPECT_EQ(record_.colors[19].cycle, 137u + 19);
+  EXPECT_EQ(record_.colors[20].cycle, 137u + 103);
+  EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kBlocked], 137 - 54);
 }
 
-// Reads are accepted in 35 .. 54, then the table holds 20 stamps until the first write in 500.
+// Reads are accepted in 34 .. 53, then the table holds 20 stamps until the first write in 500.
 TEST_F(RasterTopTiming, FullTableBlocksUntilTheOldestStampIsWritten) {
   top_.set_ready([](ExternalPort port, Cycle cycle) {
     return port != ExternalPort::kDepthWrite || cycle >= 500;
   });
   const auto result = run({{64, 64}, {cover()}});
   EXPECT_EQ(record_.depths.front().cycle, 500u);
-  EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kBlocked], 501 - 55);
+  EXPECT_EQ(result.of(Unit::kInterpZtest)[Cause::kBlocked], 501 - 54);
   // The 21st read is accepted in 501, in time for its write in 520: the writes do not pause.
   EXPECT_EQ(record_.depths.back().cycle, 500u + 1023);
 }
@@ -122,7 +122,7 @@ TEST_F(RasterTopTiming, FullTableBlocksUntilTheOldestStampIsWritten) {
 TEST_F(RasterTopTiming, ClearThatWaitsDelaysTheFirstTriangle) {
   top_.set_ready(
       [](ExternalPort port, Cycle cycle) { return port != ExternalPort::kClear || cycle >= 11; });
-  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 47 + 10);
+  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 46 + 10);
   EXPECT_EQ(run({{2, 2}, {}}).cycles, 12);
 }
 
@@ -247,7 +247,7 @@ TEST(RasterTopPlanes, OfATileWaitForASlot) {
   ASSERT_EQ(record.colors.size(), 128u);
   for (size_t i = 0; i < 128; ++i) {
     const size_t wait = i % 16 == 0 ? 0 : 66;
-    ASSERT_EQ(record.colors[i].cycle, 102 + i / 16 * 82 + i % 16 + wait) << i;
+    ASSERT_EQ(record.colors[i].cycle, 101 + i / 16 * 82 + i % 16 + wait) << i;
   }
   EXPECT_EQ(watched.of(Unit::kStamps)[Cause::kBlocked], 8 * 66);
   const auto alone = top.run(scene.frame, pull_from(scene), nullptr);
@@ -263,7 +263,7 @@ void report_on_stderr() { dup2(STDERR_FILENO, STDOUT_FILENO); }
 TEST_F(RasterTopTiming, LatencyOutsideItsRangeIsRefused) {
   EXPECT_THROW(top_.set_depth_latency_cycles(0), std::invalid_argument);
   EXPECT_THROW(top_.set_depth_latency_cycles(1025), std::invalid_argument);
-  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 47);  // still that of the design
+  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 46);  // still that of the design
 }
 
 TEST_F(RasterTopTiming, FrameOutsideTheGuardBandIsRefused) {
@@ -281,7 +281,7 @@ TEST_F(RasterTopTiming, FailureOfThePullComesBackAndTheNextFrameIsClean) {
   EXPECT_THROW(top_.run({2, 2}, pull), std::runtime_error);
   EXPECT_EQ(left, -1);
   EXPECT_EQ(top_.buffer().depth[0], 1000u);  // the triangles before it are drawn
-  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 47);
+  EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 46);
 }
 
 TEST_F(RasterTopTiming, PortThatIsNeverReadyIsFatal) {

@@ -160,7 +160,7 @@ TEST_P(RtlDesigns, EqualAtEveryLatencyUnderEveryStall) {
   for (const char* name : {"dropped.zero_area", "dropped.facing", "dropped.no_sample",
                            "dropped.outside", "setup.blocked", "tiles.blocked", "coverage.blocked",
                            "stamps.blocked", "interp_ztest.starved", "tiles_rejected",
-                           "tiles_accepted", "prims.level_1", "color_write.stalls"}) {
+                           "tiles_accepted", "stamps.level_1", "color_write.stalls"}) {
     EXPECT_GT(comparison.counted(name), 0) << name;
   }
   if (!contract.design.depth_test) return;

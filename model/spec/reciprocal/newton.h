@@ -24,8 +24,10 @@ constexpr int64_t reciprocal_rom(const Design& d, int index) {
 
 namespace newton {
 
-/// One cycle to align the argument, one for the ROM, two for each step.
-constexpr int cycles(const Design& d) { return 2 + 2 * d.reciprocal_newton_steps; }
+/// As many cycles as a product to align the argument, one for the ROM, two products for each step.
+constexpr int cycles(const Design& d, int multiplier_stages) {
+  return 1 + (1 + 2 * d.reciprocal_newton_steps) * multiplier_stages;
+}
 
 /// Two products for each step; the second one waits for the first.
 constexpr int serial_setup_steps(const Design& d) {

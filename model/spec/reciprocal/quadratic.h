@@ -54,8 +54,9 @@ constexpr int parabola_bits(const Design& d) {
 
 namespace quadratic {
 
-/// One cycle to align the argument, three for coefficients, products and sum.
-constexpr int cycles(const Design&) { return 4; }
+/// As many cycles as a product to align the argument, then the square beside the coefficients,
+/// products, and the sum.
+constexpr int cycles(const Design&, int multiplier_stages) { return 1 + 3 * multiplier_stages; }
 
 /// Products: the square of t, the linear term, the quadratic term.
 constexpr int serial_setup_steps(const Design&) { return 3; }

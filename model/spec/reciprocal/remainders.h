@@ -5,7 +5,8 @@
 
 namespace pineda::spec::remainders {
 
-constexpr int no_cycles(const Design&) { return 0; }
+constexpr int no_cycles(const Design&, int) { return 0; }
+constexpr int no_steps(const Design&) { return 0; }
 inline double error_bound(const Design&) { return 0; }
 inline std::string invalid_reason(const Design&) { return {}; }
 inline std::vector<Constant> constants(const Design&) { return {}; }
@@ -18,7 +19,7 @@ inline constexpr Scheme kScheme{ReciprocalScheme::kNone,
                                 false,
                                 false,
                                 no_cycles,
-                                no_cycles,
+                                no_steps,
                                 error_bound,
                                 invalid_reason,
                                 constants,

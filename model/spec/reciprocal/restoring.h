@@ -10,7 +10,7 @@ namespace pineda::spec::restoring {
 /// One cycle to align the argument, one for the quotient's first bit, and one for each digit of the
 /// k bits that follow.
 template <int RadixBits>
-constexpr int cycles(const Design& d) {
+constexpr int cycles(const Design& d, int) {
   return 2 + (d.reciprocal_bits + RadixBits - 1) / RadixBits;
 }
 
@@ -18,7 +18,7 @@ constexpr int cycles(const Design& d) {
 /// multiplier. Planes could start in step 9 and need the mantissa 4 products later.
 template <int RadixBits>
 constexpr int serial_setup_steps(const Design& d) {
-  const int wait = 5 + cycles<RadixBits>(d) - 4 - 9;
+  const int wait = 5 + cycles<RadixBits>(d, 1) - 4 - 9;
   return wait > 0 ? wait : 0;
 }
 

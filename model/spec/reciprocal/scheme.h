@@ -43,8 +43,8 @@ struct Scheme {
   bool has_rom;
   bool has_newton_steps;
   bool every_cycle;  // takes a new argument every cycle, as perspective and pipelined setup need
-  /// Cycles from the argument to its reciprocal, its alignment included.
-  int (*cycles)(const Design&);
+  /// Cycles from the argument to its reciprocal, its alignment included, if a product takes so many.
+  int (*cycles)(const Design&, int multiplier_stages);
   /// Steps of serial setup between the last product of the edges and the first one of the planes.
   /// The reciprocal's last product is used while the multiplier makes the first one of the planes.
   int (*serial_setup_steps)(const Design&);

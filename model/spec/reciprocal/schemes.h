@@ -17,7 +17,15 @@ constexpr const auto& names(ReciprocalScheme) { return kReciprocalSchemes; }
 
 constexpr const Scheme& scheme_of(const Design& d) { return row_of(d.reciprocal_scheme); }
 constexpr bool has_rom(const Design& d) { return scheme_of(d).has_rom; }
-constexpr int reciprocal_cycles(const Design& d) { return scheme_of(d).cycles(d); }
+/// Cycles of a reciprocal of which one starts every cycle: in pipelined setup, and with perspective.
+constexpr int pipelined_reciprocal_cycles(const Design& d) {
+  return scheme_of(d).cycles(d, multiplier_stages(d));
+}
+/// Cycles of the reciprocal of the doubled area.
+constexpr int reciprocal_cycles(const Design& d) {
+  return d.setup_style == SetupStyle::kPipelined ? pipelined_reciprocal_cycles(d)
+                                                 : scheme_of(d).cycles(d, 1);
+}
 
 /// Bits of the ROM; 0 if there is none.
 constexpr int64_t reciprocal_rom_size_bits(const Design& d) {

@@ -48,6 +48,7 @@ void require_bound(const Port<Interface>& port, const char* type) {
 /// Rate     as rtl/lib/stream_fifo.sv. Slot n % depth serves token n, hence the recurrences
 ///            push[n]    = max(offered[n], pop[n - depth] + 1)   a slot freed in t is there in t+1
 ///            visible[n] = push[n] + 1                           pushed in t, seen in t+1
+///          Depth 0 is a wire: a token is taken in the cycle in which it is handed over.
 ///          A slot keeps the cycle of its last release. The consumer of token n is called before
 ///          token n + 1 exists, so every pop that a push waits for is known when it is pushed:
 ///          nobody ever waits, there is no context switch, and back-pressure is exact.
@@ -73,6 +74,7 @@ class TimedFifo : public sc_core::sc_module, public Producer {
   std::vector<Cycle> levels(Cycle drained) const { return levels_.cycles(drained); }
 
   Cycle push(const T& token, Cycle earliest) override {
+    if (levels_.depth() == 0) return consumer_->take(token, earliest);
     const Cycle inserted = std::max(earliest, levels_.slot_freed() + 1);
     const Cycle freed = consumer_->take(token, inserted + 1);
     levels_.slot(inserted, freed);

@@ -6,10 +6,10 @@ namespace pineda::timing {
 
 namespace {
 
-// Takes the next token, as early as in the cycle of the last test. The first test of the new token
-// is in the cycle after that.
-Cycle taken(Cycle visible, LocalTime* time) {
-  const Cycle cycle = std::max(time->now() - 1, visible);
+// Takes the next token, as early as in the cycle of the last test or, with a bubble, after it. The
+// first test of the new token is in the cycle after it was taken.
+Cycle taken(Cycle visible, bool bubble, LocalTime* time) {
+  const Cycle cycle = std::max(time->now() - (bubble ? 0 : 1), visible);
   time->starve(cycle + 1);
   return cycle;
 }
@@ -41,7 +41,8 @@ void TraversalUnit::begin_frame(Frame* frame) {
 }
 
 Cycle TraversalUnit::take(const spec::SetupPrim& prim, Cycle visible) {
-  const Cycle cycle = taken(visible, &time_);
+  const Cycle cycle = taken(
+      visible, contract_.design.prim_fifo_depth == 0 || contract_.design.hierarchical_z, &time_);
   walk_.begin(prim);
   if (floors_) floors_->begin(prim);
   if (frame_->tokens) {
@@ -117,7 +118,7 @@ void TraversalUnit::Coverage::begin_frame(Listener* listener) {
 }
 
 Cycle TraversalUnit::Coverage::take(const TileToken& tile, Cycle visible) {
-  const Cycle cycle = taken(visible, &time);
+  const Cycle cycle = taken(visible, unit_.contract_.design.tile_fifo_depth == 0, &time);
   if (tile.cover->covered.count == 0) {
     time.work(tile.cover->box.tests(), tile.prim->id);
   } else if (!take_run(tile)) {

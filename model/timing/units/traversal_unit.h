@@ -26,6 +26,7 @@ namespace pineda::timing {
 /// the next one:
 ///   taken = max(last test, visible);  test[0] = taken + 1;  test[k+1] = done[k] + 1
 ///   done[k] = test[k] if rejected or hidden, else the cycle in which the FIFO takes the tile.
+/// Without a FIFO in front, or with hierarchical z, it takes a triangle a cycle later than that.
 /// A tile is hidden by the depths that hierarchical z sees in test[k], and by no later ones.
 /// Coverage does the same with tiles and groups of stamps. A group that is not empty goes to the
 /// sender, which takes it as early as in the cycle in which it sends the last stamp before:
