@@ -3,6 +3,7 @@
 
 #include <map>
 #include <numeric>
+#include <string>
 
 #include "model/scene/scene.h"
 #include "model/spec/clear_depth.h"
@@ -166,7 +167,10 @@ TEST_P(RtlDesigns, EqualAtEveryLatencyUnderEveryStall) {
   if (!contract.design.depth_test) return;
   for (const char* name : {"interp_ztest.memory", "interp_ztest.hazard", "interp_ztest.blocked",
                            "depth_read.stalls", "depth_write.stalls", "samples_failed"}) {
-    EXPECT_GT(comparison.counted(name), 0) << name;
+    // With two slots for planes a tile waits for all stamps before it, so their addresses are free.
+    const bool never =
+        name == std::string("interp_ztest.hazard") && contract.design.plane_slots == 2;
+    EXPECT_EQ(comparison.counted(name) > 0, !never) << name;
   }
 }
 
