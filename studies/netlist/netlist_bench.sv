@@ -14,12 +14,11 @@
 `define STALL(SEED) ($unsigned($random(SEED)) % 4 == 0)
 
 // Takes a stream: prints its tokens, and sees to it that what is offered stays.
-module sink #(parameter Bits = 1) (
+module sink #(parameter Bits = 1, parameter Name = "") (
   input  wire            look_i,
   input  wire            rst_ni,
   input  wire [31:0]     cycle_i,
   input  wire [31:0]     seed_i,
-  input  wire [8*16-1:0] name_i,
   input  wire            valid_i,
   output reg             ready_o,
   input  wire [Bits-1:0] token_i,
@@ -40,14 +39,14 @@ module sink #(parameter Bits = 1) (
       seed = seed_i;
     end else begin
       if (valid_i !== 0 && valid_i !== 1) begin
-        $display("fault %0d %0s: valid is %b", cycle_i, name_i, valid_i);
+        $display("fault %0d %0s: valid is %b", cycle_i, Name, valid_i);
         fault_o = 1;
       end
       if (waits && (valid_i !== 1 || token_i !== last)) begin
-        $display("fault %0d %0s: it is not stable while it waits", cycle_i, name_i);
+        $display("fault %0d %0s: it is not stable while it waits", cycle_i, Name);
         fault_o = 1;
       end
-      if (taken_o) $display("out %0s %0d %h", name_i, cycle_i, token_i);
+      if (taken_o) $display("out %0s %0d %h", Name, cycle_i, token_i);
       waits = valid_i === 1 && !ready_o;
       last = token_i;
       ready_o <= #2 !`STALL(seed);
@@ -98,18 +97,18 @@ module netlist_bench;
 
   reg [31:0] cycle = 0, seed = 1;
   wire out_taken, read_taken, write_taken, out_fault, read_fault, write_fault;
-  sink #(.Bits(OutBits)) u_out (
-    .look_i(look), .rst_ni(rst_n), .cycle_i(cycle), .seed_i(seed + 1), .name_i(OUT_NAME),
+  sink #(.Bits(OutBits), .Name(OUT_NAME)) u_out (
+    .look_i(look), .rst_ni(rst_n), .cycle_i(cycle), .seed_i(seed + 1),
     .valid_i(out_valid), .ready_o(out_ready), .token_i(out), .taken_o(out_taken),
     .fault_o(out_fault)
   );
-  sink #(.Bits(ReadBits)) u_reads (
-    .look_i(look), .rst_ni(rst_n), .cycle_i(cycle), .seed_i(seed + 2), .name_i("depth_read"),
+  sink #(.Bits(ReadBits), .Name("depth_read")) u_reads (
+    .look_i(look), .rst_ni(rst_n), .cycle_i(cycle), .seed_i(seed + 2),
     .valid_i(read_valid), .ready_o(read_ready), .token_i(read), .taken_o(read_taken),
     .fault_o(read_fault)
   );
-  sink #(.Bits(WriteBits)) u_writes (
-    .look_i(look), .rst_ni(rst_n), .cycle_i(cycle), .seed_i(seed + 3), .name_i("depth_write"),
+  sink #(.Bits(WriteBits), .Name("depth_write")) u_writes (
+    .look_i(look), .rst_ni(rst_n), .cycle_i(cycle), .seed_i(seed + 3),
     .valid_i(write_valid), .ready_o(write_ready), .token_i(write), .taken_o(write_taken),
     .fault_o(write_fault)
   );

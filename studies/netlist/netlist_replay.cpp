@@ -32,17 +32,21 @@ std::string command_of(const NetlistTask& task, const std::string& cells, uint64
   }
   const auto absolute = [](const fs::path& file) { return quoted(fs::absolute(file).string()); };
   return fmt::format(
-      "(cd {0} && iverilog -g2012 -I. -s netlist_bench{1} -o bench {2} {3} {4} && "
+      "(cd {0} && iverilog -g2012 -Ttyp -I. -s netlist_bench{1} -o bench {2} {3} {4} && "
       "vvp -n bench +vectors=vectors +seed={5} > out) > {0}/log 2>&1 &\n",
       task.vectors->unit(), parameters, absolute(kBench), absolute(cells), absolute(task.netlist),
       seed);
 }
 
-std::string log_of(const fs::path& file) {
-  std::ifstream stream(file);
-  std::string line;
-  std::getline(stream, line);
-  return line;
+/// The first line of a log that tells of an error; the last one if none does.
+std::string error_of(const fs::path& log) {
+  std::ifstream lines(log);
+  std::string last = "it was ended";
+  for (std::string line; std::getline(lines, line);) {
+    last = line;
+    if (line.find("error") != std::string::npos) break;
+  }
+  return last;
 }
 
 }  // namespace
@@ -85,7 +89,7 @@ std::vector<Replay> replay_netlists(const std::vector<NetlistTask>& tasks, const
     replays.push_back(task.vectors->compare(written));
     if (replays.back().is_complete) continue;
     throw AreaError(
-        fmt::format("{}: Icarus failed: {}", task.netlist.string(), log_of(own / "log")));
+        fmt::format("{}: Icarus failed: {}", task.netlist.string(), error_of(own / "log")));
   }
   return replays;
 }
