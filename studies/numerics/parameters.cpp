@@ -142,8 +142,8 @@ std::vector<ParameterPoint> parameter_points(const Design& base, const spec::Fra
   points.stamps();
   points.numbers(&Design::tested_stamps_log2, {0, 1, 2});
   points.switches("hierarchical_z", &Design::hierarchical_z);
-  points.numbers(&Design::prim_fifo_depth, {1, 2, 4, 16});
-  points.numbers(&Design::tile_fifo_depth, {1, 2, 4, 16});
+  points.numbers(&Design::prim_fifo_depth, {0, 1, 2, 4, 16});
+  points.numbers(&Design::tile_fifo_depth, {0, 1, 2, 4, 16});
   points.numbers(&Design::stamp_fifo_depth, {1, 2, 4, 16});
   points.numbers(&Design::plane_slots, {2, 4, 6, 8, 16});
   points.numbers(&Design::depth_latency_cycles, {1, 4, 8, 16});
