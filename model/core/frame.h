@@ -12,12 +12,6 @@
 
 namespace pineda::core {
 
-/// Rows of tiles, first to last.
-struct TileRows {
-  int first = 0;
-  int last = 1 << 16;  // more than any frame has
-};
-
 /// Receives each token of a frame, in order. A sink may derive from this and redefine only the
 /// calls that it needs.
 struct Sink {
@@ -52,11 +46,10 @@ Drop draw_triangle(const spec::Contract& contract, const spec::FrameState& frame
   ++counters->triangles;
   ++counters->dropped[static_cast<size_t>(drop)];
   if (drop != Drop::kNone) return drop;
-  if (!clip_rows(contract, rows.first, rows.last, &prim)) return drop;
   sink.prim(prim);
   const Interpolator interpolate(contract, frame, triangle);
   spec::Fragment fragment;
-  for_each_stamp(contract, prim, counters, [&](const spec::Stamp& stamp) {
+  for_each_stamp(contract, prim, rows, counters, [&](const spec::Stamp& stamp) {
     sink.stamp(stamp);
     interpolate(stamp, &fragment);
     sink.fragment(stamp, fragment);

@@ -18,63 +18,59 @@ size_t affine_attributes(const Contract& c) {
 
 }  // namespace
 
-bool clip_rows(const Contract& c, int first, int last, SetupPrim* prim) {
-  const int log2 = c.design.tile_log2;
-  const int from = prim->y0 >> log2;
-  if ((prim->y1 >> log2) < first || from > last) return false;
-  prim->y1 = std::min(prim->y1, (last << log2) + (1 << log2) - 1);
-  if (from >= first) return true;
-  // Stepping by whole tiles is exact, modulo the plane's width, so bits do not change.
-  const int64_t rows = int64_t{first - from} << log2;
-  prim->y0 = first << log2;
-  for (auto& edge : prim->edge) edge.e += edge.b * rows;
-  const auto down = [rows](Plane* p, int bits) { p->ref = wrap(p->ref + p->dy * rows, bits); };
-  down(&prim->planes.z, c.width.depth_plane);
-  for (size_t i = 0; i < affine_attributes(c); ++i) {
-    down(&prim->planes.attr[i], c.width.attr_plane);
-  }
-  return true;
-}
-
-TileWalk::TileWalk(const Contract& contract, const SetupPrim& prim)
+TileWalk::TileWalk(const Contract& contract, const SetupPrim& prim, TileRows rows)
     : contract_(contract),
       prim_(prim),
       x_(prim.x0 >> contract.design.tile_log2),
       y_(prim.y0 >> contract.design.tile_log2),
       first_x_(x_),
       last_x_(prim.x1 >> contract.design.tile_log2),
-      last_y_(prim.y1 >> contract.design.tile_log2),
+      last_y_(std::min(prim.y1 >> contract.design.tile_log2, rows.last)),
+      start_x_(x_),
+      turns_(any_edge(false, false) && any_edge(true, true)),
       planes_(prim.planes) {
-  for (size_t i = 0; i < 3; ++i) edge_[i] = row_edge_[i] = prim.edge[i].e;
-  row_ref_[0] = prim.planes.z.ref;
-  for (size_t i = 0; i < spec::kMaxAttributes; ++i) row_ref_[i + 1] = prim.planes.attr[i].ref;
+  for (size_t i = 0; i < 3; ++i) edge_[i] = start_edge_[i] = prim.edge[i].e;
+  start_ref_[0] = prim.planes.z.ref;
+  for (size_t i = 0; i < spec::kMaxAttributes; ++i) start_ref_[i + 1] = prim.planes.attr[i].ref;
+  while (y_ < std::min(rows.first, last_y_ + 1)) {
+    test();
+    step();
+  }
 }
 
 TileWalk::Test TileWalk::next(Tile* tile) {
   if (y_ > last_y_) return Test::kEnd;
+  test();
+  const bool rejected = rejects_[0] || rejects_[1] || rejects_[2];
+  if (!rejected) fill(tile);
+  step();
+  return rejected ? Test::kRejected : Test::kKept;
+}
+
+bool TileWalk::any_edge(bool falls_rightward, bool falls_downward) const {
+  return std::any_of(prim_.edge.begin(), prim_.edge.end(), [&](const spec::EdgeFunction& edge) {
+    return (edge.a < 0) == falls_rightward && (edge.b <= 0) == falls_downward;
+  });
+}
+
+void TileWalk::test() {
   const int64_t span = (1 << contract_.design.tile_log2) - 1;  // first to last sample of a tile
-  bool rejected = false;
-  uint32_t accepted = 0;
+  accepts_ = 0;
   for (size_t i = 0; i < 3; ++i) {
     const int64_t a = span * prim_.edge[i].a;
     const int64_t b = span * prim_.edge[i].b;
     const int64_t zero = 0;
-    rejected |= edge_[i] + std::max(a, zero) + std::max(b, zero) < 0;
+    rejects_[i] = edge_[i] + std::max(a, zero) + std::max(b, zero) < 0;
     const bool accepts = edge_[i] + std::min(a, zero) + std::min(b, zero) >= 0;
-    accepted |= static_cast<uint32_t>(accepts) << i;
+    accepts_ |= static_cast<uint32_t>(accepts) << i;
   }
-  if (!rejected) {
-    tile->accepted = accepted;
-    fill(tile);
-  }
-  step();
-  return rejected ? Test::kRejected : Test::kKept;
 }
 
 void TileWalk::fill(Tile* tile) const {
   const int log2 = contract_.design.tile_log2;
   const int last = (1 << log2) - 1;
   tile->id = prim_.id;
+  tile->accepted = accepts_;
   tile->x = x_;
   tile->y = y_;
   tile->x0 = std::max(prim_.x0 - (x_ << log2), 0);
@@ -101,31 +97,53 @@ void TileWalk::fill(Tile* tile) const {
 }
 
 void TileWalk::step() {
-  const int log2 = contract_.design.tile_log2;
-  const size_t attributes = affine_attributes(contract_);
-  const int z_bits = contract_.width.depth_plane;
-  const int attr_bits = contract_.width.attr_plane;
-  if (x_ < last_x_) {
-    ++x_;
-    for (size_t i = 0; i < 3; ++i) edge_[i] += prim_.edge[i].a * (int64_t{1} << log2);
-    const auto across = [log2](Plane* p, int bits) {
-      p->ref = wrap(p->ref + p->dx * (int64_t{1} << log2), bits);
-    };
-    across(&planes_.z, z_bits);
-    for (size_t i = 0; i < attributes; ++i) across(&planes_.attr[i], attr_bits);
-    return;
-  }
-  x_ = first_x_;
-  ++y_;
+  if (past_ || x_ == (leftward_ ? first_x_ : last_x_)) return step_down();
+  bool outside_below = false;  // in the rows below too
   for (size_t i = 0; i < 3; ++i) {
-    row_edge_[i] += prim_.edge[i].b * (int64_t{1} << log2);
-    edge_[i] = row_edge_[i];
+    const bool falls_ahead = (prim_.edge[i].a < 0) != leftward_;
+    past_ |= rejects_[i] && falls_ahead;
+    outside_below |= rejects_[i] && !falls_ahead && prim_.edge[i].b <= 0;
   }
-  const auto down = [log2](Plane* p, int64_t* row, int bits) {
-    p->ref = *row = wrap(*row + p->dy * (int64_t{1} << log2), bits);
+  const bool to_the_end = turns_ && !leftward_;
+  if (to_the_end) past_ = false;
+  const bool start_follows = x_ == start_x_ && (outside_below || to_the_end);
+  step_across();
+  if (!start_follows) return;
+  start_x_ = x_;
+  start_edge_ = edge_;
+  start_ref_[0] = planes_.z.ref;
+  for (size_t i = 0; i < spec::kMaxAttributes; ++i) start_ref_[i + 1] = planes_.attr[i].ref;
+}
+
+void TileWalk::step_across() {
+  const int log2 = contract_.design.tile_log2;
+  const int64_t step = leftward_ ? -(int64_t{1} << log2) : int64_t{1} << log2;
+  x_ += leftward_ ? -1 : 1;
+  for (size_t i = 0; i < 3; ++i) edge_[i] += prim_.edge[i].a * step;
+  const auto across = [step](Plane* p, int bits) { p->ref = wrap(p->ref + p->dx * step, bits); };
+  across(&planes_.z, contract_.width.depth_plane);
+  for (size_t i = 0; i < affine_attributes(contract_); ++i) {
+    across(&planes_.attr[i], contract_.width.attr_plane);
+  }
+}
+
+void TileWalk::step_down() {
+  const int log2 = contract_.design.tile_log2;
+  x_ = start_x_;
+  ++y_;
+  past_ = false;
+  leftward_ = turns_;
+  for (size_t i = 0; i < 3; ++i) {
+    start_edge_[i] += prim_.edge[i].b * (int64_t{1} << log2);
+    edge_[i] = start_edge_[i];
+  }
+  const auto down = [log2](Plane* p, int64_t* start, int bits) {
+    p->ref = *start = wrap(*start + p->dy * (int64_t{1} << log2), bits);
   };
-  down(&planes_.z, &row_ref_[0], z_bits);
-  for (size_t i = 0; i < attributes; ++i) down(&planes_.attr[i], &row_ref_[i + 1], attr_bits);
+  down(&planes_.z, &start_ref_[0], contract_.width.depth_plane);
+  for (size_t i = 0; i < affine_attributes(contract_); ++i) {
+    down(&planes_.attr[i], &start_ref_[i + 1], contract_.width.attr_plane);
+  }
 }
 
 StampWalk::StampWalk(const Contract& contract, const Tile& tile)

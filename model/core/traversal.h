@@ -9,36 +9,54 @@ namespace pineda::core {
 
 using spec::Tile;
 
-/// Clips a triangle to the rows of tiles first .. last: edges and planes are stepped to the first
-/// tile of its first remaining row. Samples keep their bits. False if nothing is left.
-bool clip_rows(const spec::Contract& contract, int first, int last, spec::SetupPrim* prim);
+/// Rows of tiles, first to last.
+struct TileRows {
+  int first = 0;
+  int last = 1 << 16;  // more than any frame has
+};
 
-/// Walks the tiles of a triangle's box, row by row from the top, from left to right.
+/// Walks the tiles of a triangle's box, row by row from the top, along its edges: tiles that an edge
+/// is known to reject are passed over.
 ///
 /// Bits     the definition. A tile is rejected when one edge is negative at that edge's best
 ///          corner sample, and an edge accepts a tile when it is >= 0 at its worst corner sample.
-/// In       a SetupPrim.
+///          A row is walked to the right. It ends one tile after an edge with a < 0 rejects: all
+///          further ones are outside too. The next row starts where this one did, further right by
+///          the tiles there that an edge with a >= 0 and b <= 0 rejects: that edge rejects them
+///          in all rows below. Where the triangle's left side runs down to the left (a >= 0, b > 0)
+///          and its right side does so too (a < 0, b <= 0), the first row is walked to its end, and
+///          those below start there and are walked to the left, by the mirrored rule.
+/// In       a SetupPrim; the rows of tiles that are wanted. Those above are walked in silence.
 /// Out      next(): one tile test a call; *tile is written when the tile is kept.
 /// Twin     rtl/traversal/tile_walker.sv (one test a cycle).
 class TileWalk {
  public:
   enum class Test { kRejected, kKept, kEnd };
 
-  TileWalk(const spec::Contract& contract, const spec::SetupPrim& prim);
+  TileWalk(const spec::Contract& contract, const spec::SetupPrim& prim, TileRows rows = {});
   Test next(Tile* tile);
 
  private:
+  bool any_edge(bool falls_rightward, bool falls_downward) const;
+  void test();
   void fill(Tile* tile) const;
   void step();
+  void step_across();
+  void step_down();
 
   const spec::Contract& contract_;
   const spec::SetupPrim& prim_;
   int x_, y_;    // the tile that next() tests
   int first_x_;  // first and last column, last row
   int last_x_, last_y_;
-  std::array<int64_t, 3> edge_{}, row_edge_{};  // E' at the first sample of this tile, this row
-  spec::PlaneSet planes_;                       // ref is stepped; dx, dy stay
-  std::array<int64_t, spec::kMaxAttributes + 1> row_ref_{};
+  int start_x_;                           // where the row started, further on by tiles outside
+  std::array<bool, 3> rejects_{};         // the edges' tests of this tile
+  uint32_t accepts_ = 0;                  // a bit an edge
+  bool turns_;                            // rows below the first are walked to the left
+  bool leftward_ = false, past_ = false;  // this row: to the left; ends with this tile
+  std::array<int64_t, 3> edge_{}, start_edge_{};  // E' at the first sample of this tile, the start
+  spec::PlaneSet planes_;                         // ref is stepped; dx, dy stay
+  std::array<int64_t, spec::kMaxAttributes + 1> start_ref_{};
 };
 
 /// Walks the stamps of a tile inside the box, row by row from the top, from left to right.
@@ -68,9 +86,9 @@ class StampWalk {
 ///
 /// Bits     those of TileWalk and StampWalk.
 template <class Visitor>
-void for_each_stamp(const spec::Contract& contract, const spec::SetupPrim& prim,
+void for_each_stamp(const spec::Contract& contract, const spec::SetupPrim& prim, TileRows rows,
                     FrameCounters* counters, Visitor&& visit) {
-  TileWalk tiles(contract, prim);
+  TileWalk tiles(contract, prim, rows);
   Tile tile;
   spec::Stamp stamp;
   for (TileWalk::Test test; (test = tiles.next(&tile)) != TileWalk::Test::kEnd;) {
@@ -94,7 +112,7 @@ void for_each_stamp(const spec::Contract& contract, const spec::SetupPrim& prim,
 template <class Visitor>
 void for_each_stamp(const spec::Contract& contract, const spec::SetupPrim& prim, Visitor&& visit) {
   FrameCounters uncounted;
-  for_each_stamp(contract, prim, &uncounted, visit);
+  for_each_stamp(contract, prim, {}, &uncounted, visit);
 }
 
 }  // namespace pineda::core

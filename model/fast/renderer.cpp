@@ -39,8 +39,7 @@ Drop Renderer::draw(const spec::Triangle& triangle) {
   ++counters_.triangles;
   ++counters_.dropped[static_cast<size_t>(drop)];
   if (drop != Drop::kNone) return drop;
-  if (!core::clip_rows(contract_, rows_.first, rows_.last, &prim_)) return drop;
-  tiles_.begin(prim_);
+  tiles_.begin(prim_, rows_);
   shader_.begin(prim_);
   for (;;) {
     int rejected = 0;

@@ -265,24 +265,45 @@ void find_stamps(const Design& d, const TileCover& box, TileSamples* samples) {
 }
 
 // Each edge is written out: for three a loop does not pay.
-void TileCoverWalk::begin(const spec::SetupPrim& prim) {
+void TileCoverWalk::begin(const spec::SetupPrim& prim, core::TileRows rows) {
   prim_ = &prim;
   const int log2 = contract_.design.tile_log2;
-  x_ = first_x_ = prim.x0 >> log2;
+  x_ = start_x_ = first_x_ = prim.x0 >> log2;
   y_ = prim.y0 >> log2;
   last_x_ = prim.x1 >> log2;
-  last_y_ = prim.y1 >> log2;
+  last_y_ = std::min(prim.y1 >> log2, rows.last);
   const auto begin = [log2](const spec::EdgeFunction& edge, Edge* e) PINEDA_INLINED {
     // What E changes by from the first sample of a tile to the last one.
     const int64_t a = edge.a * ((int64_t{1} << log2) - 1);
     const int64_t b = edge.b * ((int64_t{1} << log2) - 1);
     e->best = std::max<int64_t>(a, 0) + std::max<int64_t>(b, 0);
     e->worst = a + b - e->best;
-    e->at = e->at_row = edge.e;
+    e->at = e->at_start = edge.e;
+    e->across = edge.a * (int64_t{1} << log2);
   };
-  begin(prim.edge[0], &edges_[0]);
-  begin(prim.edge[1], &edges_[1]);
-  begin(prim.edge[2], &edges_[2]);
+  const auto& [e0, e1, e2] = prim.edge;
+  begin(e0, &edges_[0]);
+  begin(e1, &edges_[1]);
+  begin(e2, &edges_[2]);
+  falls_rightward_ = (e0.a < 0) | (e1.a < 0) << 1 | (e2.a < 0) << 2;
+  falls_downward_ = (e0.b <= 0) | (e1.b <= 0) << 1 | (e2.b <= 0) << 2;
+  turns_ = (falls_rightward_ | falls_downward_) != 7 && (falls_rightward_ & falls_downward_) != 0;
+  set_direction(false);
+  to_the_end_ = turns_;
+  if (last_y_ < rows.first) y_ = rows.first;
+  while (y_ < rows.first) {
+    const int row = y_;
+    while (y_ == row && x_ == start_x_) step(rejects());
+    if (y_ == row) step_down();
+  }
+}
+
+PINEDA_INLINE void TileCoverWalk::set_direction(bool leftward) {
+  const int falls_ahead = leftward ? ~falls_rightward_ : falls_rightward_;
+  step_x_ = leftward ? -1 : 1;
+  end_x_ = leftward ? first_x_ : last_x_;
+  ends_ = falls_ahead;
+  follows_ = ~falls_ahead & falls_downward_;
 }
 
 PINEDA_INLINE void TileCoverWalk::keep(TileCover* cover) {
@@ -313,64 +334,56 @@ PINEDA_INLINE void TileCoverWalk::keep(TileCover* cover) {
 
 PINEDA_INLINE void TileCoverWalk::step_down() {
   const int log2 = contract_.design.tile_log2;
-  x_ = first_x_;
+  x_ = start_x_;
   ++y_;
+  past_ = to_the_end_ = false;
+  if (turns_) set_direction(true);
   for (size_t i = 0; i < 3; ++i) {
-    edges_[i].at = edges_[i].at_row += prim_->edge[i].b * (int64_t{1} << log2);
+    edges_[i].at = edges_[i].at_start += prim_->edge[i].b * (int64_t{1} << log2);
   }
 }
 
-PINEDA_INLINE void TileCoverWalk::step() {
-  if (x_ == last_x_) return step_down();
-  const int log2 = contract_.design.tile_log2;
-  ++x_;
-  for (size_t i = 0; i < 3; ++i) edges_[i].at += prim_->edge[i].a * (int64_t{1} << log2);
+PINEDA_INLINE void TileCoverWalk::step(int rejects) {
+  if (past_ || x_ == end_x_) return step_down();
+  auto& [e0, e1, e2] = edges_;
+  const int64_t step = step_x_;
+  e0.at += step * e0.across;
+  e1.at += step * e1.across;
+  e2.at += step * e2.across;
+  x_ += step_x_;
+  if (!to_the_end_) {
+    if (rejects == 0) return;
+    past_ = (rejects & ends_) != 0;
+    if (x_ - step_x_ != start_x_ || (rejects & follows_) == 0) return;
+  }
+  start_x_ = x_;
+  e0.at_start = e0.at;
+  e1.at_start = e1.at;
+  e2.at_start = e2.at;
 }
 
-PINEDA_INLINE bool TileCoverWalk::is_rejected() const {
+// The edges that reject the tile.
+PINEDA_INLINE int TileCoverWalk::rejects() const {
   const auto& [e0, e1, e2] = edges_;
-  return ((e0.at + e0.best) | (e1.at + e1.best) | (e2.at + e2.best)) < 0;
+  return (e0.at + e0.best < 0) | (e1.at + e1.best < 0) << 1 | (e2.at + e2.best < 0) << 2;
 }
 
 core::TileWalk::Test TileCoverWalk::next(TileCover* cover) {
   if (y_ > last_y_) return core::TileWalk::Test::kEnd;
-  const bool rejected = is_rejected();
-  if (!rejected) keep(cover);
-  step();
-  return rejected ? core::TileWalk::Test::kRejected : core::TileWalk::Test::kKept;
+  const int rejecting = rejects();
+  if (rejecting == 0) keep(cover);
+  step(rejecting);
+  return rejecting != 0 ? core::TileWalk::Test::kRejected : core::TileWalk::Test::kKept;
 }
 
 bool TileCoverWalk::next_kept(TileCover* cover, int* rejected) {
-  for (*rejected = 0; y_ <= last_y_; *rejected += skip_rejected()) {
-    if (is_rejected()) continue;
-    keep(cover);
-    step();
-    return true;
+  for (*rejected = 0; y_ <= last_y_; ++*rejected) {
+    const int rejecting = rejects();
+    if (rejecting == 0) keep(cover);
+    step(rejecting);
+    if (rejecting == 0) return true;
   }
   return false;
-}
-
-// Goes on to the next tile in the row that is not rejected, or to the next row; returns how many
-// tiles it passed.
-int TileCoverWalk::skip_rejected() {
-  const int64_t tile = int64_t{1} << contract_.design.tile_log2;
-  auto& [e0, e1, e2] = edges_;
-  int64_t at0 = e0.at + e0.best, at1 = e1.at + e1.best, at2 = e2.at + e2.best;
-  const int from = x_;
-  do {
-    at0 += prim_->edge[0].a * tile;
-    at1 += prim_->edge[1].a * tile;
-    at2 += prim_->edge[2].a * tile;
-  } while (++x_ <= last_x_ && (at0 | at1 | at2) < 0);
-  const int tiles = x_ - from;
-  if (x_ > last_x_) {
-    step_down();
-  } else {
-    e0.at = at0 - e0.best;
-    e1.at = at1 - e1.best;
-    e2.at = at2 - e2.best;
-  }
-  return tiles;
 }
 
 void TileCoverWalk::cover_stamps(TileCover* cover, StampsBySamples* by_samples) const {

@@ -150,14 +150,15 @@ using EdgeValues = std::array<int64_t, 3>;
 /// of a tile at once.
 ///
 /// Bits     those of core::TileWalk and core::StampWalk.
-/// In       begin(): a SetupPrim, which must outlive the walk; its planes are not looked at.
+/// In       begin(): a SetupPrim, which must outlive the walk; its planes are not looked at; the rows
+///          of tiles that are wanted.
 /// Out      next(): one tile test a call; *cover is written when the tile is kept, except for its
 ///          samples, which cover_stamps() finds.
 class TileCoverWalk {
  public:
   explicit TileCoverWalk(const spec::Contract& contract) : contract_(contract) {}
 
-  void begin(const spec::SetupPrim& prim);
+  void begin(const spec::SetupPrim& prim, core::TileRows rows = {});
   core::TileWalk::Test next(TileCover* cover);
   /// Calls next() until a tile is kept; false if there is none left. *rejected: tiles before it.
   bool next_kept(TileCover* cover, int* rejected);
@@ -166,21 +167,29 @@ class TileCoverWalk {
 
  private:
   struct Edge {
-    int64_t at = 0, at_row = 0;   // E' at the first sample of the tile, of its row of tiles
-    int64_t best = 0, worst = 0;  // what E' changes by to the best and the worst corner
+    int64_t at = 0, at_start = 0;  // E' at the first sample of the tile, of the row's start
+    int64_t best = 0, worst = 0;   // what E' changes by to the best and the worst corner
+    int64_t across = 0;            // what it changes by to the next tile
   };
-  bool is_rejected() const;
-  int skip_rejected();
+  int rejects() const;
   void keep(TileCover* cover);
-  void step();
+  void step(int rejects);
   void step_down();
+  void set_direction(bool leftward);
 
   spec::Contract contract_;
   const spec::SetupPrim* prim_ = nullptr;
   int x_ = 0, y_ = 0;  // the tile that next() tests
   int first_x_ = 0, last_x_ = 0, last_y_ = 0;
   std::array<Edge, 3> edges_{};
-  EdgeValues kept_{};  // E' of the tile kept last, lowered where the edge accepts the tile
+  // See core::TileWalk. Edges are bits of a mask.
+  int start_x_ = 0;
+  bool turns_ = false, to_the_end_ = false, past_ = false;
+  int falls_rightward_ = 0, falls_downward_ = 0;
+  int step_x_ = 1, end_x_ = 0;  // of this row
+  int ends_ = 0;                // edges that end the row where they reject a tile
+  int follows_ = 0;             // edges that let the start follow
+  EdgeValues kept_{};           // E' of the tile kept last, lowered where the edge accepts the tile
 };
 
 }  // namespace pineda::fast

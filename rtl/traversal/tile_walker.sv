@@ -1,6 +1,6 @@
-// The tiles of a triangle's box, row by row from the top, each from the left.
+// The tiles of a triangle's box, row by row from the top, along its edges.
 //
-// Bits     core::TileWalk defines them. Reject: one edge is negative at that edge's best corner
+// Bits     core::TileWalk defines them, and the walk. Reject: one edge is negative at that edge's best corner
 //          sample of the tile. Accept, an edge at a time: it is >= 0 at its worst corner sample.
 //          Hidden: core::depth_floor() of the triangle there lies behind z_max_i, as it is in the
 //          first cycle of the tile's test.
@@ -57,13 +57,18 @@ module tile_walker (
   logic busy_q;
   pineda_pkg::setup_prim_t prim_q; // its e and refs are those of the tile under test
   logic [INDEX_BITS-1:0] x_q, y_q;
-  logic [3*EDGE_BITS-1:0] row_e_q; // at the first tile of the row
+  // Where the row starts, further on by tiles that are outside in the rows below too
+  logic [INDEX_BITS-1:0] start_x_q;
+  logic [3*EDGE_BITS-1:0] start_e_q;
 `ifdef PINEDA_DEPTH
-  logic [Z_BITS-1:0] row_z_q;
+  logic [Z_BITS-1:0] start_z_q;
 `endif
 `ifdef PINEDA_AFFINE
-  logic [ATTRIBUTES*ATTR_BITS-1:0] row_attr_q;
+  logic [ATTRIBUTES*ATTR_BITS-1:0] start_attr_q;
 `endif
+  logic leftward_q; // the row is walked to the left
+  logic at_start_q; // the start is this tile
+  logic past_q;     // the tile before lay past the triangle: the row ends with this one
 
   logic [INDEX_BITS-1:0] first_x, last_x, last_y;
   assign first_x = prim_q.x0[PIXEL_BITS-1:TILE_LOG2];
@@ -71,7 +76,7 @@ module tile_walker (
   assign last_y = prim_q.y1[PIXEL_BITS-1:TILE_LOG2];
 
   logic row_end, last_tile, rejected, hidden, dropped, advance;
-  assign row_end = x_q == last_x;
+  assign row_end = past_q || x_q == (leftward_q ? first_x : last_x);
   assign last_tile = row_end && y_q == last_y;
   assign dropped = rejected || hidden;
   assign advance = busy_q && (dropped || tile_ready_i);
@@ -150,7 +155,7 @@ module tile_walker (
       tile_o.y = y_q;
       tile_o.x0 = x_q == first_x ? prim_q.x0[TILE_LOG2-1:0] : '0;
       tile_o.y0 = y_q == prim_q.y0[PIXEL_BITS-1:TILE_LOG2] ? prim_q.y0[TILE_LOG2-1:0] : '0;
-      tile_o.x1 = row_end ? prim_q.x1[TILE_LOG2-1:0] : '1;
+      tile_o.x1 = x_q == last_x ? prim_q.x1[TILE_LOG2-1:0] : '1;
       tile_o.y1 = y_q == last_y ? prim_q.y1[TILE_LOG2-1:0] : '1;
       tile_o.a = prim_q.a;
       tile_o.b = prim_q.b;
@@ -187,33 +192,66 @@ module tile_walker (
     end
   end
 
-  // ---- The walk: one tile to the right, or down to the first tile of the next row
+  // ---- The walk: one tile to the right or left, or down to where the next row starts. Edges fall to
+  // the right where a < 0, downwards where b <= 0.
+  logic [2:0] falls_ahead, falls_down, falls_right;
+  for (genvar i = 0; i < 3; i++) begin : gen_falls
+    logic [COEFF_BITS-1:0] b;
+    assign b = prim_q.b[i*COEFF_BITS +: COEFF_BITS];
+    assign falls_right[i] = prim_q.a[i*COEFF_BITS + COEFF_BITS - 1];
+    assign falls_down[i] = b[COEFF_BITS-1] || b == '0;
+    assign falls_ahead[i] = falls_right[i] != leftward_q;
+  end
+  // Both sides run down to the left: the first row is walked to its end, the others back from there.
+  logic turns, to_the_end, start_follows;
+  assign turns = (~falls_right & ~falls_down) != '0 && (falls_right & falls_down) != '0;
+  assign to_the_end = turns && !leftward_q;
+  assign start_follows =
+      at_start_q && (to_the_end || (rejects & ~falls_ahead & falls_down) != '0);
+
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) busy_q <= 1'b0;
     else if (!busy_q || (advance && last_tile)) busy_q <= prim_valid_i && prim_ready_o;
   end
 
-  // From this tile, or from the first one of the row, by the same adders
+  // From this tile, or from the row's start, by the same adders
+  logic back; // against dx
+  logic [INDEX_BITS-1:0] next_x;
+  assign back = leftward_q && !row_end;
+  assign next_x = row_end ? start_x_q : back ? x_q - INDEX_BITS'(1) : x_q + INDEX_BITS'(1);
   logic [3*EDGE_BITS-1:0] next_e;
   for (genvar i = 0; i < 3; i++) begin : gen_next_e
+    localparam int unsigned HIGH = EDGE_BITS - TILE_LOG2; // bits that move
+    logic [EDGE_BITS-1:0] from;
+    logic signed [HIGH-1:0] step;
+    assign from = row_end ? start_e_q[i*EDGE_BITS +: EDGE_BITS] : prim_q.e[i*EDGE_BITS +: EDGE_BITS];
+    assign step = HIGH'(signed'(row_end ? prim_q.b[i*COEFF_BITS +: COEFF_BITS]
+                                        : prim_q.a[i*COEFF_BITS +: COEFF_BITS]));
     assign next_e[i*EDGE_BITS +: EDGE_BITS] =
-        (row_end ? row_e_q[i*EDGE_BITS +: EDGE_BITS] : prim_q.e[i*EDGE_BITS +: EDGE_BITS]) +
-        (EDGE_BITS'(signed'(row_end ? prim_q.b[i*COEFF_BITS +: COEFF_BITS]
-                                    : prim_q.a[i*COEFF_BITS +: COEFF_BITS])) << TILE_LOG2);
+        {from[EDGE_BITS-1:TILE_LOG2] + (step ^ {HIGH{back}}) + HIGH'(back), from[TILE_LOG2-1:0]};
   end
 `ifdef PINEDA_DEPTH
-  logic [Z_BITS-1:0] next_z;
-  assign next_z = (row_end ? row_z_q : prim_q.z_ref) +
-                  ((row_end ? prim_q.z_dy : prim_q.z_dx) << TILE_LOG2);
+  localparam int unsigned Z_HIGH = Z_BITS - TILE_LOG2;
+  logic [Z_BITS-1:0] from_z, next_z;
+  logic [Z_HIGH-1:0] step_z;
+  assign from_z = row_end ? start_z_q : prim_q.z_ref;
+  assign step_z = row_end ? prim_q.z_dy[Z_HIGH-1:0] : prim_q.z_dx[Z_HIGH-1:0];
+  assign next_z = {from_z[Z_BITS-1:TILE_LOG2] + (step_z ^ {Z_HIGH{back}}) + Z_HIGH'(back),
+                   from_z[TILE_LOG2-1:0]};
 `endif
 `ifdef PINEDA_AFFINE
+  localparam int unsigned ATTR_HIGH = ATTR_BITS - TILE_LOG2;
   logic [ATTRIBUTES*ATTR_BITS-1:0] next_attr;
   for (genvar i = 0; i < ATTRIBUTES; i++) begin : gen_next_attr
+    logic [ATTR_BITS-1:0] from;
+    logic [ATTR_HIGH-1:0] step;
+    assign from = row_end ? start_attr_q[i*ATTR_BITS +: ATTR_BITS]
+                          : prim_q.attr_ref[i*ATTR_BITS +: ATTR_BITS];
+    assign step = row_end ? prim_q.attr_dy[i*ATTR_BITS +: ATTR_HIGH]
+                          : prim_q.attr_dx[i*ATTR_BITS +: ATTR_HIGH];
     assign next_attr[i*ATTR_BITS +: ATTR_BITS] =
-        (row_end ? row_attr_q[i*ATTR_BITS +: ATTR_BITS]
-                 : prim_q.attr_ref[i*ATTR_BITS +: ATTR_BITS]) +
-        ((row_end ? prim_q.attr_dy[i*ATTR_BITS +: ATTR_BITS]
-                  : prim_q.attr_dx[i*ATTR_BITS +: ATTR_BITS]) << TILE_LOG2);
+        {from[ATTR_BITS-1:TILE_LOG2] + (step ^ {ATTR_HIGH{back}}) + ATTR_HIGH'(back),
+         from[TILE_LOG2-1:0]};
   end
 `endif
 
@@ -222,30 +260,42 @@ module tile_walker (
       prim_q <= prim_i;
       x_q <= prim_i.x0[PIXEL_BITS-1:TILE_LOG2];
       y_q <= prim_i.y0[PIXEL_BITS-1:TILE_LOG2];
-      row_e_q <= prim_i.e;
+      leftward_q <= 1'b0;
+      at_start_q <= 1'b1;
+      past_q <= 1'b0;
+      start_x_q <= prim_i.x0[PIXEL_BITS-1:TILE_LOG2];
+      start_e_q <= prim_i.e;
 `ifdef PINEDA_DEPTH
-      row_z_q <= prim_i.z_ref;
+      start_z_q <= prim_i.z_ref;
 `endif
 `ifdef PINEDA_AFFINE
-      row_attr_q <= prim_i.attr_ref;
+      start_attr_q <= prim_i.attr_ref;
 `endif
     end else if (advance) begin
-      if (!row_end) begin
-        x_q <= x_q + INDEX_BITS'(1);
-      end else begin
-        x_q <= first_x;
+      x_q <= next_x;
+      if (row_end) begin
         y_q <= y_q + INDEX_BITS'(1);
+        leftward_q <= turns;
       end
+      at_start_q <= row_end || start_follows;
+      past_q <= !row_end && !to_the_end && (rejects & falls_ahead) != '0;
       prim_q.e <= next_e;
-      if (row_end) row_e_q <= next_e;
 `ifdef PINEDA_DEPTH
       prim_q.z_ref <= next_z;
-      if (row_end) row_z_q <= next_z;
 `endif
 `ifdef PINEDA_AFFINE
       prim_q.attr_ref <= next_attr;
-      if (row_end) row_attr_q <= next_attr;
 `endif
+      if (row_end || start_follows) begin
+        start_x_q <= next_x;
+        start_e_q <= next_e;
+`ifdef PINEDA_DEPTH
+        start_z_q <= next_z;
+`endif
+`ifdef PINEDA_AFFINE
+        start_attr_q <= next_attr;
+`endif
+      end
     end
   end
 

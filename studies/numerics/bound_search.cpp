@@ -35,16 +35,18 @@ std::optional<spec::PlaneSet> planes_at(const spec::Contract& c, const spec::Tri
   spec::SetupPrim prim;
   if (core::setup(c, Range(c).frame(), t, &prim) != core::Drop::kNone) return std::nullopt;
   const int log2 = c.design.tile_log2;
-  if (!core::clip_rows(c, y >> log2, y >> log2, &prim)) return std::nullopt;
+  if (x > prim.x1 || y > prim.y1) return std::nullopt;
   const int64_t columns = int64_t{(x >> log2) - (prim.x0 >> log2)} << log2;
-  if (columns < 0 || x > prim.x1) return std::nullopt;
+  const int64_t rows = int64_t{(y >> log2) - (prim.y0 >> log2)} << log2;
+  if (columns < 0 || rows < 0) return std::nullopt;
   prim.x0 = x >> log2 << log2;
-  for (auto& edge : prim.edge) edge.e += edge.a * columns;
-  const auto across = [columns](spec::Plane* plane, int bits) {
-    plane->ref = spec::wrap(plane->ref + plane->dx * columns, bits);
+  prim.y0 = y >> log2 << log2;
+  for (auto& edge : prim.edge) edge.e += edge.a * columns + edge.b * rows;
+  const auto jump = [&](spec::Plane* plane, int bits) {
+    plane->ref = spec::wrap(plane->ref + plane->dx * columns + plane->dy * rows, bits);
   };
-  across(&prim.planes.z, c.width.depth_plane);
-  across(&prim.planes.attr[0], c.width.attr_plane);
+  jump(&prim.planes.z, c.width.depth_plane);
+  jump(&prim.planes.attr[0], c.width.attr_plane);
   core::TileWalk walk(c, prim);
   core::Tile tile;
   if (walk.next(&tile) != core::TileWalk::Test::kKept) return std::nullopt;

@@ -189,7 +189,7 @@ TEST(Walk, ShowsEveryStageOfATriangle) {
 }
 
 TEST(Walk, WritesEveryFieldAsJson) {
-  const Outcome run = pineda({"walk", "triangle", "--stamp", "20", "--json", "-"});
+  const Outcome run = pineda({"walk", "triangle", "--stamp", "10", "--json", "-"});
   ASSERT_EQ(run.exit_code, 0);
   const Json json = Json::parse(run.out);
   EXPECT_EQ(json.at("setup_prim").at("e[0]").at("value"), 1539.99609375);

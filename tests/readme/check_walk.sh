@@ -4,7 +4,7 @@
 set -eu
 program=$1
 readme=$2
-output=$("$program" walk triangle --stamp 20)
+output=$("$program" walk triangle --stamp 10)
 lines=$(sed -n '/^```walk$/,/^```$/ { /^```/d; p; }' "$readme")
 [ -n "$lines" ] || { echo "check_walk.sh: $readme has no walk block" >&2; exit 1; }
 missing=$(printf '%s\n' "$lines" | while IFS= read -r line; do

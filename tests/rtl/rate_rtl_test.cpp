@@ -73,13 +73,18 @@ TEST(TraversalRtlRate, NoBubbleInsideAcceptedTiles) {
 
 TEST(TraversalRtlRate, TestsOneTileACycle) {
   const auto state = frame(1024, 1024);
-  // A needle along the diagonal of a 128 x 128 box of tiles: nearly all of them are rejected.
+  // A needle along the diagonal of a 128 x 128 box of tiles: in each row a tile before it, the ones that it
+  // cuts, and two past it.
   const Triangle needle = triangle(0, 0, 1024, 1023, 1024, 1024);
   TraversalBench bench(rtl(), BenchOptions());
   std::vector<Cycle> accepted;
-  bench.run(prims(state, {needle, needle}), &accepted);
+  const auto both = prims(state, {needle, needle});
+  bench.run(both, &accepted);
   ASSERT_EQ(accepted.size(), 2u);
-  const Cycle tiles = 128 * 128;
+  core::FrameCounters counters;
+  core::for_each_stamp(rtl().contract(), both[0], {}, &counters, [](const spec::Stamp&) {});
+  const auto tiles = static_cast<Cycle>(counters.tiles_tested);
+  EXPECT_NEAR(static_cast<double>(tiles), 4 * 128, 4);
   EXPECT_GE(accepted[1] - accepted[0], tiles);
   // Kept tiles' stamps are sent while other tiles are rejected, but for a few cycles at the FIFO.
   EXPECT_LE(accepted[1] - accepted[0], tiles + tiles / 50);

@@ -54,9 +54,26 @@ void add_grid(int width, int height, uint64_t seed, float nearest, float farthes
   }
 }
 
+using Corners = std::array<std::array<double, 2>, 3>;
+
+// A needle of length 1 in a random direction, around the middle of the unit square.
+Corners needle_corners(Random* random, double width) {
+  double x = 0, y = 0, square = 0;
+  do {
+    x = random->uniform(-1, 1);
+    y = random->uniform(-1, 1);
+    square = x * x + y * y;
+  } while (square < .01 || square > 1);
+  x *= .5 / std::sqrt(square);
+  y *= .5 / std::sqrt(square);
+  return {{{.5 - x, .5 - y},
+           {.5 + x - width * y, .5 + y + width * x},
+           {.5 + x + width * y, .5 + y - width * x}}};
+}
+
 // Three random points of the unit square whose triangle has an area of at least kLeastShare.
-std::array<std::array<double, 2>, 3> random_corners(Random* random, double* area) {
-  std::array<std::array<double, 2>, 3> corner{};
+Corners random_corners(Random* random, double* area) {
+  Corners corner{};
   do {
     for (auto& point : corner) {
       for (double& value : point) value = random->uniform(0, 1);
@@ -101,9 +118,15 @@ std::vector<ScreenTriangle> random_triangles(const RandomScene& scene, int width
   std::vector<ScreenTriangle> triangles(static_cast<size_t>(scene.triangles));
   for (ScreenTriangle& t : triangles) {
     t.id = static_cast<uint32_t>(&t - triangles.data());
-    double area = 0;
-    const auto corners = random_corners(&random, &area);
-    const double side = std::sqrt(scene.area_px / area);  // 0: scale to the frame instead
+    double side = scene.length_px;  // of the square around it; 0: scale to the frame instead
+    Corners corners;
+    if (side > 0) {
+      corners = needle_corners(&random, 2 * scene.area_px / (side * side));
+    } else {
+      double area = 0;
+      corners = random_corners(&random, &area);
+      side = std::sqrt(scene.area_px / area);
+    }
     const double box_width = side > 0 ? side : width;
     const double box_height = side > 0 ? side : height;
     const double left = side > 0 ? double{random.uniform(0, 1)} * width - side / 2 : 0;

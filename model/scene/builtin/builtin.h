@@ -33,13 +33,15 @@ struct RandomScene {
   const char* summary;
   int triangles;
   float area_px;  // px^2; 0: the corners lie anywhere in the frame, the area is 1/8 of it or more
+  float length_px = 0;  // of a needle, from its point to the middle of its short side
 };
 inline constexpr RandomScene kRandomScenes[] = {
     {"px1", "50,000 random triangles of 1 px", 50'000, 1},
     {"px1000", "5,000 random triangles of 1,000 px", 5'000, 1000},
-    {"screen", "200 random triangles of an eighth of the frame and more", 200, 0}};
+    {"screen", "200 random triangles of an eighth of the frame and more", 200, 0},
+    {"needle", "2,000 random needles of 256 px by 2 px, in any direction", 2'000, 256, 256}};
 
-/// There are no slivers: a triangle's area is at least an eighth of its bounding box.
+/// But for needles there are no slivers: a triangle's area is at least an eighth of its bounding box.
 std::vector<ScreenTriangle> random_triangles(const RandomScene& scene, int width, int height,
                                              uint64_t seed);
 
