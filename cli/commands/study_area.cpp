@@ -6,6 +6,7 @@
 
 #include "cli/output.h"
 #include "cli/report/area_ratchet.h"
+#include "cli/report/area_tables.h"
 #include "cli/reserved_file.h"
 #include "cli/study_scenes.h"
 #include "cli/triangles.h"
@@ -25,26 +26,11 @@ struct AreaStudyOptions : Options {
   std::string bunny = kBunnyFile;
   std::string picture;
   bool throughput = false;
+  bool tables = false;
   std::vector<std::string> fpgas;  // if any, these in place of the technology
   studies::AreaOptions area;
   AreaRatchetOptions ratchet;
 };
-
-/// What a design makes of a scene at its fastest clock.
-struct Throughput {
-  std::string scene;
-  int64_t cycles = 0;
-  double triangles_per_second = 0;
-  double pixels_per_second = 0;  // covered samples
-};
-
-struct Row {
-  spec::Contract contract;
-  studies::AreaStudy area;
-  std::vector<Throughput> scenes;
-};
-
-double square_mm(const studies::AreaStudy& area) { return 1e-6 * area.area_um2; }
 
 Throughput throughput_of(const AreaStudyOptions& options, const std::string& name,
                          const spec::Contract& contract, double fmax_mhz) {
@@ -69,7 +55,7 @@ Json path_json(const studies::TimingPath& path) {
           {"to", path.to}, {"registers_ps", path.fixed_ps}, {"parts", parts}};
 }
 
-Json row_json(const Row& row) {
+Json row_json(const AreaRow& row) {
   const studies::AreaStudy& a = row.area;
   Json json{{"area_um2", a.area_um2},
             {"area_without_memory_um2", a.area_without_memory_um2},
@@ -87,6 +73,7 @@ Json row_json(const Row& row) {
     if (unit.slowest.ps == 0) continue;
     u["fmax_mhz"] = unit.fmax_mhz();
     u["slowest_path"] = path_json(unit.slowest);
+    if (unit.through.ps > 0) u["input_to_output"] = path_json(unit.through);
   }
   for (const auto& part : a.parts) {
     json["modules"].push_back({{"instance", part.path},
@@ -97,11 +84,12 @@ Json row_json(const Row& row) {
                                {"memory_bits", part.memory_bits}});
   }
   for (const Throughput& t : row.scenes) {
-    json["scenes"][t.scene] = {{"cycles", t.cycles},
-                               {"triangles_per_second", t.triangles_per_second},
-                               {"pixels_per_second", t.pixels_per_second},
-                               {"triangles_per_second_mm2", t.triangles_per_second / square_mm(a)},
-                               {"pixels_per_second_mm2", t.pixels_per_second / square_mm(a)}};
+    json["scenes"][t.scene] = {
+        {"cycles", t.cycles},
+        {"triangles_per_second", t.triangles_per_second},
+        {"pixels_per_second", t.pixels_per_second},
+        {"triangles_per_second_mm2", t.triangles_per_second / row.square_mm()},
+        {"pixels_per_second_mm2", t.pixels_per_second / row.square_mm()}};
   }
   return json;
 }
@@ -141,7 +129,7 @@ void print_parts(const Output& output, const studies::AreaStudy& a) {
   }
 }
 
-void print_row(const Output& output, const Row& row) {
+void print_row(const Output& output, const AreaRow& row) {
   const studies::AreaStudy& a = row.area;
   output.row("Design", row.contract.design.name);
   output.row("Area", fmt::format("{:.0f} um^2 of cells, every stored bit a flip-flop", a.area_um2));
@@ -156,6 +144,7 @@ void print_row(const Output& output, const Row& row) {
   print_path(output, "Slowest path", a.slowest);
   for (const auto& [name, unit] : a.units) {
     if (unit.slowest.ps > 0) print_path(output, "  of " + name, unit.slowest);
+    if (unit.through.ps > 0) print_path(output, "    input to output", unit.through);
   }
   print_parts(output, a);
   if (row.scenes.empty()) return;
@@ -164,8 +153,8 @@ void print_row(const Output& output, const Row& row) {
   for (const Throughput& t : row.scenes) {
     output.line("{:<16}{:>12}{:>12.2f}{:>12.3f}{:>16.1f}{:>16.2f}", t.scene,
                 grouped(static_cast<uint64_t>(t.cycles)), 1e-6 * t.triangles_per_second,
-                1e-9 * t.pixels_per_second, 1e-6 * t.triangles_per_second / square_mm(a),
-                1e-9 * t.pixels_per_second / square_mm(a));
+                1e-9 * t.pixels_per_second, 1e-6 * t.triangles_per_second / row.square_mm(),
+                1e-9 * t.pixels_per_second / row.square_mm());
   }
 }
 
@@ -269,13 +258,17 @@ int run(AreaStudyOptions options) {
             {"least_memory_bits", options.area.least_memory_bits}};
   output.row("Technology", fmt::format("{}: {}", technology.name, technology.process));
   output.row("Tools", tools);
+  std::vector<AreaRow> rows;
   for (const auto& contract : contracts) {
-    Row row{contract, studies::study_area(contract, technology, options.area, runs), {}};
+    rows.push_back({contract, studies::study_area(contract, technology, options.area, runs), {}});
+    AreaRow& row = rows.back();
     for (const auto& name : scenes) {
       row.scenes.push_back(throughput_of(options, name, contract, row.area.fmax_mhz()));
     }
-    output.line("");
-    print_row(output, row);
+    if (!options.tables) {
+      output.line("");
+      print_row(output, row);
+    }
     if (contracts.size() == 1) {
       json["design"] = contract.design.name;
       json.update(row_json(row));
@@ -289,6 +282,7 @@ int run(AreaStudyOptions options) {
       picture->keep(std::fputs(svg.c_str(), picture->file()) >= 0);
     }
   }
+  if (options.tables) print_area_tables(output, rows);
   for (const auto& name : left_out)
     output.line("Left out: {}, {} is not there", name, options.bunny);
   output.json(json);
@@ -335,6 +329,8 @@ void add_area_study(CLI::App* study, int* exit_code) {
       ->type_name("SCENE");
   command->add_flag("--throughput", options->throughput,
                     "Throughput on the scenes of study cycles");
+  command->add_flag("--tables", options->tables,
+                    "Tables in Markdown, a row a design, in place of each design's figures");
   command->add_option("--size", options->size, "Of every scene, px")->type_name("WxH");
   command->add_option("--bunny", options->bunny, "The scene bunny, as in study cycles")
       ->type_name("FILE")
@@ -357,7 +353,7 @@ void add_area_study(CLI::App* study, int* exit_code) {
                     "--update also what has grown");
   for (auto* option : {check, update}) option->excludes(command->get_option("--memory-bits"));
   for (const char* other : {"--technology", "--liberty", "--memory-bits", "--clock", "--scene",
-                            "--throughput", "--picture", "--check", "--update"}) {
+                            "--throughput", "--tables", "--picture", "--check", "--update"}) {
     fpga->excludes(command->get_option(other));
   }
   add_output_options(command, options.get());

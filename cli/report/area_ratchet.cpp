@@ -26,6 +26,15 @@ std::string texts_of(const std::vector<FigureChange>& changes, Which which) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+/// The units with a path from an input to an output: "setup, traversal".
+std::string units_passed_through(const studies::AreaStudy& study) {
+  std::vector<std::string> units;
+  for (const auto& [name, unit] : study.units) {
+    if (unit.through.ps > 0) units.push_back(name);
+  }
+  return fmt::format("{}", fmt::join(units, ", "));
+}
+
 void print_changes(const Output& output, const std::vector<FigureChange>& changes) {
   output.line("\n{:<14}{:<18}{:>12}{:>12}{:>10}", "unit", "figure", "stored", "measured", "");
   for (const FigureChange& c : changes) {
@@ -93,12 +102,17 @@ bool AreaRatchet::run(const Output& output, const studies::AreaStudy& study, Jso
     output.line("IT DOES NOT HOLD: more than {:.0f} %: {}{}", percent, grown,
                 new_file_ ? "; nothing is stored without --allow-growth" : "");
   }
+  const std::string passed_through = units_passed_through(study);
+  if (!passed_through.empty()) {
+    output.line("IT DOES NOT HOLD: a path leads from an input to an output of {}", passed_through);
+  }
   Json& result = (*json)["figures"];
-  result = {{"file", file_.path}, {"holds", holds}, {"stored", is_stored}};
+  result = {
+      {"file", file_.path}, {"holds", holds && passed_through.empty()}, {"stored", is_stored}};
   for (const FigureChange& c : changes) {
     result["units"][c.unit][c.figure] = {{"stored", c.stored}, {"measured", c.measured}};
   }
-  return holds || is_stored;
+  return (holds || is_stored) && passed_through.empty();
 }
 
 }  // namespace pineda::cli

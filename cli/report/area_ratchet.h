@@ -38,7 +38,7 @@ class AreaRatchet {
 
   int clock_ps() const { return file_.clock_ps; }
   /// Prints the figures beside the stored ones, and stores them where that is wanted and allowed.
-  /// Has none grown, or may they?
+  /// Has none grown, or may they? And does no path lead through a unit?
   bool run(const Output& output, const studies::AreaStudy& study, Json* json);
 
  private:

@@ -90,7 +90,7 @@ AreaStudy study_area(const spec::Contract& contract, const Technology& technolog
   double failed_ps = 0;  // the slowest clock that failed
   while (true) {
     study.asked_ps.push_back(clock_ps);
-    const auto paths = slow_paths(synthesis, technology, runs, {kTop}, clock_ps).front();
+    const auto paths = netlist_timings(synthesis, technology, runs, {kTop}, clock_ps).front().slow;
     if (paths.front().ps < best.period_ps) best = {paths.front().ps, delays};
     if (paths.front().ps > clock_ps) failed_ps = std::max<double>(failed_ps, clock_ps);
     if (static_cast<int>(study.asked_ps.size()) == clocks) break;
@@ -99,7 +99,7 @@ AreaStudy study_area(const spec::Contract& contract, const Technology& technolog
         failed_ps == 0 ? best.period_ps * .85 : std::sqrt(failed_ps * best.period_ps);
     if (failed_ps > 0 && best.period_ps / failed_ps <= kPrecision) break;
     clock_ps = static_cast<int>(next_ps);
-    const auto slow = slow_paths(synthesis, technology, runs, {kTop}, clock_ps).front();
+    const auto slow = netlist_timings(synthesis, technology, runs, {kTop}, clock_ps).front().slow;
     const Delays shorter = shorter_delays(slow, clock_ps, delays);
     if (shorter.empty()) break;
     for (const auto& [module, delay] : shorter) delays[module] = delay;
@@ -108,11 +108,13 @@ AreaStudy study_area(const spec::Contract& contract, const Technology& technolog
   synthesis.map(best.delays);
   std::vector<std::string> tops{kTop};
   tops.insert(tops.end(), std::begin(kUnits), std::end(kUnits));
-  const auto slowest = slow_paths(synthesis, technology, runs, tops, clock_ps);
-  study.slowest = slowest.front().front();
+  const auto timings = netlist_timings(synthesis, technology, runs, tops, clock_ps);
+  study.slowest = timings.front().slow.front();
   add_up(synthesis, technology, &study);
   for (size_t i = 1; i < tops.size(); ++i) {
-    study.units[unit_name(tops[i])].slowest = slowest[i].front();
+    UnitArea& unit = study.units[unit_name(tops[i])];
+    unit.slowest = timings[i].slow.front();
+    unit.through = timings[i].through;
   }
   return study;
 }

@@ -29,6 +29,7 @@ struct UnitArea {
   double area_um2 = 0;
   int flip_flops = 0;
   TimingPath slowest;  // of the unit alone, from its inputs to its outputs
+  TimingPath through;  // from an input to an output without a register; 0 ps: there is none
 
   double fmax_mhz() const { return 1e6 / slowest.ps; }
 };

@@ -23,7 +23,14 @@ std::string script_of(const Synthesis& synthesis, const Technology& technology,
       "set_false_path -from [get_ports rst_ni]\n"
       "set_input_delay 0 -clock clk [all_inputs]\nset_output_delay 0 -clock clk [all_outputs]\n"
       "set_driving_cell -lib_cell {4} [all_inputs]\nset_load {5} [all_outputs]\n"
-      "report_checks -path_delay max -format full -digits 6 -group_count 1000 > {6}/paths.txt\n",
+      "report_checks -path_delay max -format full -digits 6 -group_count 1000 > {6}/paths.txt\n"
+      "set inputs {{}}\n"
+      "foreach port [all_inputs] {{\n"
+      "  if {{[lsearch {{clk_i rst_ni}} [get_property $port full_name]] < 0}} {{lappend inputs "
+      "$port}}\n"
+      "}}\n"
+      "report_checks -path_delay max -format full -digits 6 -from $inputs -to [all_outputs]"
+      " > {6}/through.txt\n",
       synthesis.liberty(), netlist, top, period_ps / library.time_unit_ps(),
       technology.driving_cell, technology.load_ff / library.capacitance_unit_ff(), kOut);
 }
@@ -110,10 +117,9 @@ int TimingPath::levels() const {
   return cells;
 }
 
-std::vector<std::vector<TimingPath>> slow_paths(const Synthesis& synthesis,
-                                                const Technology& technology, const ToolRuns& runs,
-                                                const std::vector<std::string>& tops,
-                                                int period_ps) {
+std::vector<NetlistTiming> netlist_timings(const Synthesis& synthesis, const Technology& technology,
+                                           const ToolRuns& runs,
+                                           const std::vector<std::string>& tops, int period_ps) {
   const auto netlists = synthesis.flat_netlists(tops);
   std::vector<ToolRun> all;
   for (size_t i = 0; i < tops.size(); ++i) {
@@ -121,16 +127,20 @@ std::vector<std::vector<TimingPath>> slow_paths(const Synthesis& synthesis,
                    fmt::format("timing {} at {} ps", tops[i], period_ps)});
   }
   const auto folders = runs.run(all);
-  std::vector<std::vector<TimingPath>> result;
+  std::vector<NetlistTiming> result;
   for (size_t i = 0; i < tops.size(); ++i) {
-    std::ifstream report(folders[i] / "paths.txt");
     const auto instances = synthesis.instances(tops[i]);
-    auto paths = ReportReader(instances, technology, period_ps).run(report);
+    const auto read = [&](const char* file) {
+      std::ifstream report(folders[i] / file);
+      return ReportReader(instances, technology, period_ps).run(report);
+    };
+    auto paths = read("paths.txt");
     if (paths.empty()) throw AreaError(fmt::format("{}: expected a path, there is none", tops[i]));
     const auto fast = std::find_if(paths.begin() + 1, paths.end(),
                                    [&](const TimingPath& path) { return path.ps <= period_ps; });
     paths.erase(fast, paths.end());
-    result.push_back(std::move(paths));
+    const auto through = read("through.txt");
+    result.push_back({std::move(paths), through.empty() ? TimingPath{} : through.front()});
   }
   return result;
 }

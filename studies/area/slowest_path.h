@@ -29,15 +29,21 @@ struct TimingPath {
   int levels() const;
 };
 
-/// For each top the paths of its netlist that are slower than `period_ps`, the slowest first; at least
-/// one, at most a thousand, one for each end.
+/// How slow a netlist is.
+struct NetlistTiming {
+  std::vector<TimingPath>
+      slow;            // slower than the clock asked for, the slowest first; at least one,
+                       // at most a thousand, one for each end
+  TimingPath through;  // from an input to an output, the slowest; 0 ps: there is none
+};
+
+/// The timing of each top's netlist under a clock.
 ///
 /// In       the modules below the tops are mapped. No wires; inputs come at the edge of the clock,
 ///          from the technology's driving cell; reset is not timed.
 /// Errors   AreaError: a netlist has no path.
-std::vector<std::vector<TimingPath>> slow_paths(const Synthesis& synthesis,
-                                                const Technology& technology, const ToolRuns& runs,
-                                                const std::vector<std::string>& tops,
-                                                int period_ps);
+std::vector<NetlistTiming> netlist_timings(const Synthesis& synthesis, const Technology& technology,
+                                           const ToolRuns& runs,
+                                           const std::vector<std::string>& tops, int period_ps);
 
 }  // namespace pineda::studies

@@ -76,6 +76,7 @@ TEST_F(StudyArea, OfASmallDesignAddsUpAndIsKept) {
   for (const char* unit : {"setup", "traversal", "interp_ztest"}) {
     EXPECT_GT(json.at("units").at(unit).at("fmax_mhz"), 20) << unit;
     EXPECT_GT(json.at("units").at(unit).at("flip_flops"), 20) << unit;
+    EXPECT_FALSE(json.at("units").at(unit).contains("input_to_output")) << unit;
   }
   // The top's path is at least that of its slowest unit, but for loads on the unit's outputs.
   EXPECT_GT(json.at("slowest_path").at("ps").get<double>(), .9 * slowest);
@@ -89,6 +90,26 @@ TEST_F(StudyArea, OfASmallDesignAddsUpAndIsKept) {
   EXPECT_EQ(again.exit_code, 0) << again.err;
   EXPECT_FALSE(has(again.err, "mapping")) << again.err;
   EXPECT_EQ(again.json(), json);
+}
+
+// The steps of pipelined setup advance together: without a FIFO behind it, ready passes through.
+TEST_F(StudyArea, SaysWhereAPathLeadsThroughAUnit) {
+  if (!can_measure()) GTEST_SKIP() << kMissing;
+  const std::string pipelined =
+      scratch_.write("pipelined.toml",
+                     std::string(kDesign) + "setup_style = \"pipelined\"\nprim_fifo_depth = 0\n");
+  const Outcome run = study({"--design", pipelined, "--clock", "8000", "--json", "-"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json units = run.json().at("units");
+  EXPECT_GT(units.at("setup").at("input_to_output").at("ps"), 50);
+  EXPECT_FALSE(units.at("traversal").contains("input_to_output"));
+  EXPECT_FALSE(units.at("interp_ztest").contains("input_to_output"));
+
+  const Outcome held = study(
+      {"--design", pipelined, "--clock", "8000", "--update", scratch_.path("pipelined.json")});
+  EXPECT_EQ(held.exit_code, 1);
+  EXPECT_TRUE(has(held.out, "IT DOES NOT HOLD: a path leads from an input to an output of setup"))
+      << held.out;
 }
 
 TEST_F(StudyArea, IsHeldToItsFigures) {
