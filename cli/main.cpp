@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   cli::add_rtl(&program, &exit_code);
   cli::add_error(&program, &exit_code);
   cli::add_study(&program, &exit_code);
+  cli::add_judge(&program, &exit_code);
   cli::add_needs(&program, &exit_code);
   cli::add_walk(&program, &exit_code);
   cli::add_designs(&program, &exit_code);
