@@ -22,6 +22,17 @@ TEST(Generator, SameSeedGivesTheSameBytesAndAnotherSeedDoesNot) {
   EXPECT_NE(generated<SetupCase>(7), generated<SetupCase>(8));
 }
 
+TEST(Generator, EveryNamedDesignHasVectors) {
+  for (const spec::Design& design : spec::designs()) {
+    if (!spec::no_rtl_reason(design).empty()) continue;
+    const auto bounds = spec::error_bounds(design);
+    Tally tally;
+    const auto file = generate<InterpZtestCase>(spec::contract(design), 1, 1, bounds, &tally);
+    EXPECT_GT(file.cases.size(), 200u) << design.name;
+    EXPECT_EQ(tally.cases, file.cases.size()) << design.name;
+  }
+}
+
 TEST(Generator, TallyAccountsForEveryScene) {
   Tally tally;
   generate<TraversalCase>(kContract, 1, 3, kBounds, &tally);

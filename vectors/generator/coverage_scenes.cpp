@@ -1,4 +1,6 @@
 // Hard cases of coverage: which samples belong to a triangle.
+#include <algorithm>
+
 #include "vectors/generator/draw.h"
 
 namespace pineda::vectors {
@@ -198,8 +200,10 @@ void tile_border(Draw& d) {
 // 100 to 8000 px long, 1/16 to 2 px wide.
 void needle(Draw& d) {
   d.frame(24, 8);
+  const int64_t longest =
+      std::min<int64_t>(8000, int64_t{1} << (d.contract().design.guard_bits - 1));
   for (int i = 0; i < 3; ++i) {
-    const int64_t length = d.random().between(100, 8000) * d.px();
+    const int64_t length = d.random().between(100, longest) * d.px();
     const int64_t across = d.random().between(-length, length);
     const bool is_steep = d.random().coin();
     const int64_t width = d.random().between(d.px() / 16, 2 * d.px());
