@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
   cli::add_error(&program, &exit_code);
   cli::add_study(&program, &exit_code);
   cli::add_judge(&program, &exit_code);
+  cli::add_vectors(&program, &exit_code);
   cli::add_needs(&program, &exit_code);
   cli::add_walk(&program, &exit_code);
   cli::add_designs(&program, &exit_code);

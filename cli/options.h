@@ -97,5 +97,6 @@ void add_scenes(CLI::App* program, int* exit_code);
 void add_walk(CLI::App* program, int* exit_code);
 void add_needs(CLI::App* program, int* exit_code);
 void add_judge(CLI::App* program, int* exit_code);
+void add_vectors(CLI::App* program, int* exit_code);
 
 }  // namespace pineda::cli

@@ -257,7 +257,7 @@ std::string committed_file(const spec::Contract& contract, const std::string& un
   const fs::path folder = fs::path(PINEDA_SOURCE_DIR) / "vectors" / unit;
   std::set<std::string> designs;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = vectors::read_header(entry.path().string()).design;
+    const std::string name = vectors::read_header(entry.path().string()).contract.design.name;
     const spec::Design* design = spec::find_design(name);
     if (design == nullptr) continue;
     if (spec::formats_hash(spec::contract(*design)) == spec::formats_hash(contract)) {

@@ -122,27 +122,6 @@ vectors::TraversalCase random_traversal(spec::Random* random, const spec::Contra
   return vectors::run_model(c, inputs);
 }
 
-vectors::SetupCase run(SetupBench* bench, const vectors::SetupCase& inputs) {
-  vectors::SetupCase got = inputs;
-  bench->set_frame(inputs.frame);
-  got.out = bench->run(inputs.in).tokens;
-  return got;
-}
-
-vectors::TraversalCase run(TraversalBench* bench, const vectors::TraversalCase& inputs) {
-  vectors::TraversalCase got = inputs;
-  got.out = bench->run(inputs.in).tokens;
-  return got;
-}
-
-vectors::InterpZtestCase run(InterpZtestBench* bench, const vectors::InterpZtestCase& inputs) {
-  vectors::InterpZtestCase got = inputs;
-  auto writes = bench->run(inputs.frame, inputs.in);
-  got.depth = std::move(writes.depth.tokens);
-  got.color = std::move(writes.color.tokens);
-  return got;
-}
-
 NextTriangle from(const std::vector<spec::Triangle>& triangles) {
   return [&triangles, i = size_t{0}](spec::Triangle* t) mutable {
     if (i == triangles.size()) return false;

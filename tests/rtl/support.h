@@ -11,6 +11,7 @@
 #include "tb/frame_bench.h"
 #include "tb/unit_bench.h"
 #include "vectors/grammar/file.h"
+#include "vectors/runner/benches.h"
 
 namespace pineda::tb {
 
@@ -43,12 +44,6 @@ spec::FrameState random_raster_state(spec::Random* random, int width, int height
 /// Random triangles in a random raster state, through setup and traversal of the model.
 vectors::TraversalCase random_traversal(spec::Random* random, const spec::Contract& contract,
                                         int frame_px, int size_px, size_t triangles);
-
-/// Runs a case's inputs on a bench and returns the case with the outputs. The RTL does not tell the
-/// cause of a drop, so the expected causes are kept.
-vectors::SetupCase run(SetupBench* bench, const vectors::SetupCase& inputs);
-vectors::TraversalCase run(TraversalBench* bench, const vectors::TraversalCase& inputs);
-vectors::InterpZtestCase run(InterpZtestBench* bench, const vectors::InterpZtestCase& inputs);
 
 /// The first difference of a case on a bench, or "" .
 template <class Bench, class Case>

@@ -1,6 +1,4 @@
 // Hard cases of coverage: which samples belong to a triangle.
-#include <algorithm>
-
 #include "vectors/generator/draw.h"
 
 namespace pineda::vectors {
@@ -53,7 +51,7 @@ void slivers(Draw& d, int64_t reach) {
   }
 }
 void sliver(Draw& d) { slivers(d, 5 * d.px()); }
-void sliver_long(Draw& d) { slivers(d, 5000 * d.px()); }
+void sliver_long(Draw& d) { slivers(d, d.reach(5000)); }
 
 // Zero area after snapping, between triangles that are drawn.
 void zero_area(Draw& d) {
@@ -115,7 +113,8 @@ void huge_corners(Draw& d) {
 void huge_window(Draw& d) {
   d.frame(7, 7);
   for (int i = 0; i < 3; ++i) {
-    const Point q = d.point(1, 1, 6, 6), along = d.point(-8000, -8000, 8000, 8000);
+    const int64_t reach = d.reach(8000);
+    const Point q = d.point(1, 1, 6, 6), along = d.in_box({-reach, -reach}, {reach, reach});
     d.add(figures::through(q, along, d.point(-16384, -16384, 16384, 16384)));
   }
 }
@@ -203,7 +202,8 @@ void needle(Draw& d) {
   const int64_t longest =
       std::min<int64_t>(8000, int64_t{1} << (d.contract().design.guard_bits - 1));
   for (int i = 0; i < 3; ++i) {
-    const int64_t length = d.random().between(100, longest) * d.px();
+    const int64_t length =
+        d.random().between(std::min<int64_t>(100, longest / 2), longest) * d.px();
     const int64_t across = d.random().between(-length, length);
     const bool is_steep = d.random().coin();
     const int64_t width = d.random().between(d.px() / 16, 2 * d.px());

@@ -4,6 +4,7 @@
 // arguments are evaluated differs among compilers, the order in braces does not.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -31,9 +32,15 @@ class Draw : public figures::Pen {
   int64_t far() const;
   int32_t full() const { return (1 << contract_.design.attribute_bits) - 1; }
 
+  /// A length of so many px, or half the guard band's if that is less; in subpixels.
+  int64_t reach(int64_t length_px) const {
+    return px() * std::min(length_px, int64_t{1} << (contract_.design.guard_bits - 1));
+  }
+  /// A frame of that size, or of the design's greatest.
   void frame(int width, int height) {
-    scene_.frame.width = width;
-    scene_.frame.height = height;
+    const int greatest = 1 << contract_.design.guard_bits;
+    scene_.frame.width = std::min(width, greatest);
+    scene_.frame.height = std::min(height, greatest);
   }
   /// A point of the box [low, high] in px, both included.
   Point point(int64_t low_x, int64_t low_y, int64_t high_x, int64_t high_y) {

@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
+#include "model/spec/design_file.h"
 #include "model/spec/package.h"
 #include "vectors/grammar/codec.h"
 
@@ -14,6 +16,7 @@ namespace pineda::vectors {
 namespace {
 
 constexpr const char* kMagic = "pineda-vectors 1";
+constexpr const char* kParameter = "parameter";
 constexpr int kHashBits = 64;
 
 std::string hash_text(uint64_t hash) { return hex(static_cast<int64_t>(hash), kHashBits); }
@@ -25,13 +28,57 @@ std::string load(const std::string& path) {
   return text;
 }
 
-// The value of the next line, which must be "KEYWORD VALUE".
+// The value of the current line, which must be "KEYWORD VALUE".
+std::string value(const Lines& lines, const char* keyword) {
+  if (!lines.starts_with(keyword) || lines.words() != 2) {
+    lines.refuse(fmt::format("'{}' and its value", keyword));
+  }
+  return lines.word(1, keyword);
+}
+
 std::string next_value(Lines* lines, const char* keyword) {
   lines->next();
-  if (!lines->starts_with(keyword) || lines->words() != 2) {
-    lines->refuse(fmt::format("'{}' and its value", keyword));
+  return value(*lines, keyword);
+}
+
+bool is_named(const spec::Design& design) {
+  const spec::Design* const known = spec::find_design(design.name);
+  return known != nullptr && spec::differences(design, *known).empty();
+}
+
+// "design NAME"; of a design that is not of this build also its parameters, as a design file has
+// them.
+std::string design_lines(const spec::Design& design) {
+  std::string text = fmt::format("design {}\n", design.name);
+  if (is_named(design)) return text;
+  std::istringstream parameters(spec::design_toml(design));
+  for (std::string line; std::getline(parameters, line);) {
+    const bool is_parameter = line.rfind("name", 0) != 0 && line.rfind("summary", 0) != 0;
+    if (is_parameter) text += fmt::format("{} {}\n", kParameter, line);
   }
-  return lines->word(1, keyword);
+  return text;
+}
+
+// From the line "design NAME" on; goes to the line behind the parameters.
+spec::Design read_design(Lines* lines) {
+  const std::string name = next_value(lines, "design");
+  const int line = lines->number();
+  std::string toml = fmt::format("name = '{}'\n", name);
+  bool has_parameters = false;
+  while (lines->next() && lines->starts_with(kParameter)) {
+    toml += lines->line().substr(std::string(kParameter).size() + 1) + "\n";
+    has_parameters = true;
+  }
+  const spec::Design* const known = spec::find_design(name);
+  if (!has_parameters && known == nullptr) {
+    lines->refuse_at(line, "the name of a design of this build, or its parameters", name);
+  }
+  if (!has_parameters) return *known;
+  try {
+    return spec::parse_design(toml, name);
+  } catch (const spec::DesignFileError& error) {
+    lines->refuse_at(line, "the parameters of a design", error.what());
+  }
 }
 
 // The header's first lines; the last one read is `seed`.
@@ -44,11 +91,8 @@ Header read_identity(Lines* lines) {
   const auto known = spec::named<Unit>(unit);
   if (!known) lines->refuse("a unit: " + spec::alternatives<Unit>(), unit);
   header.unit = *known;
-  header.design = next_value(lines, "design");
-  if (spec::find_design(header.design) == nullptr) {
-    lines->refuse("the name of a design of this build", header.design);
-  }
-  header.level = static_cast<int>(parse_decimal(*lines, next_value(lines, "level"), "level"));
+  header.contract = spec::contract(read_design(lines));
+  header.level = static_cast<int>(parse_decimal(*lines, value(*lines, "level"), "level"));
   header.seed = parse_decimal(*lines, next_value(lines, "seed"), "seed");
   return header;
 }
@@ -95,7 +139,7 @@ void expect_columns(Lines* lines, const std::string& columns) {
 Header read_header(const std::string& path) {
   Lines lines(path, load(path));
   Header header = read_identity(&lines);
-  header.cases = read_count(&lines, spec::contract(*spec::find_design(header.design)));
+  header.cases = read_count(&lines, header.contract);
   return header;
 }
 
@@ -108,7 +152,7 @@ File<Case> read_text(const std::string& path, const std::string& text) {
     lines.refuse_at(kUnitLine, fmt::format("the unit {}", spec::name_of(Case::kUnit)),
                     spec::name_of(header.unit));
   }
-  File<Case> file{spec::contract(*spec::find_design(header.design)), header.level, header.seed, {}};
+  File<Case> file{header.contract, header.level, header.seed, {}};
   const uint64_t count = read_count(&lines, file.contract);
   const int count_line = lines.number();
   const uint64_t hash = parse_hex(lines, next_value(&lines, "content"), kHashBits, "content");
@@ -146,16 +190,20 @@ std::string write_text(const File<Case>& file) {
   for (const Case& c : file.cases) {
     body += fmt::format("\ncase {}\n{}{}end\n", c.name, frame.write(c.frame), codec.write(c));
   }
-  return fmt::format(
-             "{}\nunit {}\ndesign {}\nlevel {}\nseed {}\nformats {}\ncases {}\ncontent {}\n",
-             kMagic, spec::name_of(Case::kUnit), file.contract.design.name, file.level, file.seed,
-             hash_text(spec::formats_hash(file.contract)), file.cases.size(),
-             hash_text(spec::text_hash(body))) +
+  return fmt::format("{}\nunit {}\n{}level {}\nseed {}\nformats {}\ncases {}\ncontent {}\n", kMagic,
+                     spec::name_of(Case::kUnit), design_lines(file.contract.design), file.level,
+                     file.seed, hash_text(spec::formats_hash(file.contract)), file.cases.size(),
+                     hash_text(spec::text_hash(body))) +
          body;
 }
 
 template <class Case>
 void write(const std::string& path, const File<Case>& file) {
+  const std::string name = file.contract.design.name;
+  if (name.empty() || name.find_first_of(" \t'") != std::string::npos) {
+    throw Refused(
+        fmt::format("{}: expected a design whose name is one word, got '{}'", path, name));
+  }
   const std::string temporary = path + ".part";
   std::ofstream stream(temporary, std::ios::binary);
   stream << write_text(file);

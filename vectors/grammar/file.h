@@ -12,7 +12,7 @@ namespace pineda::vectors {
 /// What a file says about itself.
 struct Header {
   Unit unit = Unit::kSetup;
-  std::string design;
+  spec::Contract contract;  // of its design
   int level = 1;
   uint64_t seed = 1;
   size_t cases = 0;
@@ -32,8 +32,9 @@ Header read_header(const std::string& path);
 
 /// Reads a whole file of SetupCase, TraversalCase, InterpZtestCase or FrameCase.
 ///
-/// Errors   throws Refused: no such file, another unit, an unknown design, formats that are not
-///          the present ones, a wrong count or hash of the content, a cut or malformed file.
+/// Errors   throws Refused: no such file, another unit, an unknown design without parameters, a
+///          design that cannot be built, formats that are not the present ones, a wrong count or
+///          hash of the content, a cut or malformed file.
 template <class Case>
 File<Case> read(const std::string& path);
 
@@ -45,7 +46,8 @@ File<Case> read_text(const std::string& path, const std::string& text);
 template <class Case>
 std::string write_text(const File<Case>& file);
 
-/// Writes to a temporary name beside `path` and renames. Throws Refused when that fails.
+/// Writes to a temporary name beside `path` and renames. Throws Refused when that fails, or when the
+/// design's name is not one word.
 template <class Case>
 void write(const std::string& path, const File<Case>& file);
 

@@ -80,10 +80,18 @@ class Row {
     return text + "\n";
   }
 
+  /// Throws std::out_of_range for a value that its field cannot hold.
   std::string write(const T& value) const {
     std::string text = keyword();
-    for_each_column([&](const auto& field, int i, const std::string&) {
-      text += " " + hex(field.get(contract_, value, i), field.bits);
+    for_each_column([&](const auto& field, int i, const std::string& name) {
+      const int64_t number = field.get(contract_, value, i);
+      const bool fits = field.is_signed ? spec::wrap(number, field.bits) == number
+                                        : field.bits == 64 || number >> field.bits == 0;
+      if (!fits) {
+        throw std::out_of_range(std::string("vectors: ") + keyword() + " " + name + ": " +
+                                std::to_string(number) + " is too wide for its field");
+      }
+      text += " " + hex(number, field.bits);
     });
     return text + "\n";
   }
