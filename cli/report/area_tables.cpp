@@ -7,7 +7,7 @@ namespace {
 
 /// Three digits, but all before the point: "1,024", "87.5", "0.0312".
 std::string three_digits(double value) {
-  if (value >= 999.5) return grouped(static_cast<uint64_t>(std::llround(value)));
+  if (value >= 99.95) return grouped(static_cast<uint64_t>(std::llround(value)));
   return fmt::format("{:#.3g}", value);
 }
 
