@@ -2,9 +2,9 @@
 # check_direction.sh ROOT: fails when an include points against the direction
 #   spec <- core <- fast <- timing <- tb <- cli;  memory -> core;  scene, vectors -> figures -> spec;
 #   judge -> core, exact; exact and files use nothing; tests use everything. What judges (vectors, tb)
-#   compares with core and never sees fast.
-# Also: paths start at the root, only the plug-ins of tb and the tests of lone modules see a Verilated
-# header, and SystemC is known from model/timing on.
+#   compares with core and never sees fast. What runs vectors sees tb.
+# Also: paths start at the root, only the plug-ins of tb, the tests of lone modules and the foreign RTL see
+# a Verilated header, and SystemC is known from model/timing on.
 set -eu
 cd "$1"
 find . \( -name '.?*' -o -name 'build*' -o -name out -o -name mutants \) -prune \
@@ -21,12 +21,12 @@ BEGIN {
   may["model/baseline"] = "model/baseline model/spec"
   may["model/memory"] = "model/memory model/core model/spec"
   may["model/timing"] = "model/timing model/memory model/fast model/core model/spec"
-  may["vectors"] = "vectors model/judge model/figures model/core model/exact model/spec"
+  may["vectors"] = "vectors tb model/judge model/figures model/core model/exact model/spec"
   may["tb"] = "tb model/timing model/memory model/core model/files model/spec"
   may["studies"] = "studies tb vectors model/timing model/memory model/scene model/baseline " \
                    "model/judge model/exact model/fast model/core model/figures model/files model/spec"
   may["cli"] = "cli " may["studies"]
-  may["examples"] = "model/timing model/memory model/core model/spec"
+  may["examples"] = "model/timing model/memory model/scene model/baseline model/judge model/core model/spec"
   may["tests"] = "tests " may["cli"]
 }
 function folder(path, part) {
@@ -38,7 +38,8 @@ function plugs(file) {
   return file == "tb/plugin.cpp" || file == "tb/bench_plugin.cpp"
 }
 function verilates(file) {
-  return plugs(file) || file ~ "^tests/rtl/(scheme|pipelined|setup|multiplier)_rtl_test.cpp$"
+  return plugs(file) || file == "examples/foreign_rtl/main.cpp" ||
+         file ~ "^tests/rtl/(scheme|pipelined|setup|multiplier)_rtl_test.cpp$"
 }
 function refuse(why) {
   printf "%s:%d: %s: %s\n", FILENAME, FNR, why, $0
