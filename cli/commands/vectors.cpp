@@ -5,9 +5,9 @@
 #include "cli/output.h"
 #include "cli/reserved_file.h"
 #include "model/spec/package.h"
+#include "studies/vectors/benches.h"
 #include "tb/unit_bench.h"
 #include "vectors/generator/generate.h"
-#include "vectors/runner/benches.h"
 
 namespace pineda::cli {
 namespace {

@@ -10,6 +10,7 @@
 #include "model/judge/exact_terms.h"
 #include "model/judge/visible_frame.h"
 #include "model/spec/clear_depth.h"
+#include "model/spec/widths.h"
 #include "studies/judge/stated.h"
 
 namespace pineda::studies {
@@ -69,7 +70,7 @@ Fragment extrapolated(const exact::ScreenTriangle& stated, const exact::Triangle
     weight[i] /= double{stated[i].w};
     sum += weight[i];
   }
-  fragment.z = value_of(std::max(0., z / 256));
+  fragment.z = value_of(std::max(0., std::ldexp(z, -spec::kDepthInputFractionBits)));
   for (size_t k = 0; k < 4; ++k) {
     double value = flat ? stated[0].rgba[k] : 0;
     for (size_t i = 0; i < 3 && !flat; ++i) value += weight[i] / sum * stated[i].rgba[k];

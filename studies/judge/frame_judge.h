@@ -59,7 +59,7 @@ struct SameDepth {
 ///          the depth test decides between two depths that the tolerance lets be in either order is
 ///          left open, unless they are equal by any arithmetic: of the same corners in the same
 ///          order, or of one z at all corners. What nothing is drawn on must be as it was cleared.
-/// In       memory: 26 bytes a sample, and 16 for each further triangle that may be seen there; 16 a
+/// In       memory: 34 bytes a sample, and 32 for each further triangle that may be seen there; 16 a
 ///          triangle.
 class FrameJudge {
  public:

@@ -2,7 +2,7 @@
 # check_direction.sh ROOT: fails when an include points against the direction
 #   spec <- core <- fast <- timing <- tb <- cli;  memory -> core;  scene, vectors -> figures -> spec;
 #   judge -> core, exact; exact and files use nothing; tests use everything. What judges (vectors, tb)
-#   compares with core and never sees fast. What runs vectors sees tb.
+#   compares with core and never sees fast.
 # Also: paths start at the root, only the plug-ins of tb, the tests of lone modules and the foreign RTL see
 # a Verilated header, and SystemC is known from model/timing on.
 set -eu
@@ -21,7 +21,7 @@ BEGIN {
   may["model/baseline"] = "model/baseline model/spec"
   may["model/memory"] = "model/memory model/core model/spec"
   may["model/timing"] = "model/timing model/memory model/fast model/core model/spec"
-  may["vectors"] = "vectors tb model/judge model/figures model/core model/exact model/spec"
+  may["vectors"] = "vectors model/judge model/figures model/core model/exact model/spec"
   may["tb"] = "tb model/timing model/memory model/core model/files model/spec"
   may["studies"] = "studies tb vectors model/timing model/memory model/scene model/baseline " \
                    "model/judge model/exact model/fast model/core model/figures model/files model/spec"

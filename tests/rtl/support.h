@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "model/spec/random.h"
+#include "studies/vectors/benches.h"
 #include "tb/frame_bench.h"
 #include "tb/unit_bench.h"
 #include "vectors/grammar/file.h"
-#include "vectors/runner/benches.h"
 
 namespace pineda::tb {
 

@@ -1,4 +1,4 @@
-#include "vectors/runner/benches.h"
+#include "studies/vectors/benches.h"
 
 namespace pineda::vectors {
 
