@@ -232,14 +232,14 @@ Diagnosis FrameDiagnosis::of_extra(const std::string& what) const {
     return told(Rule::kScissor, first([](const Near& near) { return near.is_covering; }),
                 what + ": outside the scissor");
   }
+  if (const Near* near =
+          first([](const Near& n) { return n.is_on_edge && !n.is_covering && !n.is_culled; })) {
+    return told(Rule::kFillRule, near, what + ": the sample lies on a bottom or right edge");
+  }
   if (const auto behind = behind_near_plane()) {
     Diagnosis diagnosis = told(Rule::kNearPlane, nullptr, what + ": behind the near plane");
     diagnosis.triangle = behind;
     return diagnosis;
-  }
-  if (const Near* near =
-          first([](const Near& n) { return n.is_on_edge && !n.is_covering && !n.is_culled; })) {
-    return told(Rule::kFillRule, near, what + ": the sample lies on a bottom or right edge");
   }
   if (const Near* near = first([](const Near& n) { return n.is_covering && n.is_culled; })) {
     return told(Rule::kCull, near, what + ": to be culled");
