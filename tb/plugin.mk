@@ -57,6 +57,8 @@ else
 
 GENERATED := $(foreach unit,$(UNITS),$(wildcard $(WORK)/$(unit)/*.cpp))
 OBJECTS := $(GENERATED:.cpp=.o) $(RUNTIME:%=$(WORK)/%.o) $(WORK)/plugin.o
+# What runs once a model: optimizing it takes half of a build and gains nothing.
+ONCE := $(filter %__Slow.cpp %__Syms.cpp,$(GENERATED))
 COMPILE = $(CXX) -std=c++17 $(CXXFLAGS) -fPIC -w -DVM_TRACE=1 -DVM_TRACE_FST=1 -DVM_SC=0 -DVM_COVERAGE=0 \
   -I$(SOURCE) -I$(WORK) $(UNITS:%=-I$(WORK)/%) -isystem $(VERILATOR_ROOT)/include \
   -isystem $(VERILATOR_ROOT)/include/vltstd
@@ -74,7 +76,10 @@ $(WORK)/plugin.o: $(SOURCE)/tb/plugin.cpp $(SOURCE)/tb/plugin.h $(UNITS:%=$(WORK
 $(RUNTIME:%=$(WORK)/%.o): $(WORK)/%.o: $(VERILATOR_ROOT)/include/%.cpp
 	$(COMPILE) -c $< -o $@
 
-$(GENERATED:.cpp=.o): %.o: %.cpp
+$(patsubst %.cpp,%.o,$(filter-out $(ONCE),$(GENERATED))): %.o: %.cpp
 	$(COMPILE) -c $< -o $@
+
+$(ONCE:.cpp=.o): %.o: %.cpp
+	$(COMPILE) -O0 -c $< -o $@
 
 endif

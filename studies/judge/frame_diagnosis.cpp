@@ -134,17 +134,17 @@ void FrameDiagnosis::triangle(const scene::ScreenTriangle& triangle) {
     near.fragment = extrapolated(floats, snapped.vertices(), place, exact_frame_.flat);
   }
   near.codes = codes_of(near.fragment.z, tolerance_);
-  keep(std::move(near));
+  keep(near);
 }
 
-void FrameDiagnosis::keep(Near near) {
+void FrameDiagnosis::keep(const Near& near) {
   const bool is_near = near.is_covering || near.is_on_edge || near.distance_px <= kNearPx;
   if (is_near && only_nearest_) near_.clear();
   if (is_near || near_.empty()) {
     only_nearest_ = !is_near;
-    near_.push_back(std::move(near));
+    near_.push_back(near);
   } else if (only_nearest_ && near.distance_px < near_.front().distance_px) {
-    near_.front() = std::move(near);
+    near_.front() = near;
   }
 }
 

@@ -74,7 +74,7 @@ class FrameDiagnosis {
     Codes codes{};
   };
 
-  void keep(Near near);
+  void keep(const Near& near);
   Diagnosis of_hits(int64_t expected) const;
   Diagnosis of_missing(const std::string& what) const;
   Diagnosis of_extra(const std::string& what) const;
