@@ -53,7 +53,7 @@ void FrameBench::reset() {
 
 FrameResult FrameBench::run(const spec::FrameState& frame, const NextTriangle& next,
                             Listener* listener) {
-  memory_.start(frame, core::FrameBuffer(unit_.contract(), frame), unit_.cycle());
+  memory_.start(frame, PagedBuffer(unit_.contract(), frame), unit_.cycle());
   frames_.offer(frame);
   Progress progress;
   progress.start = progress.last_event = unit_.cycle();
@@ -66,7 +66,7 @@ FrameResult FrameBench::run(const spec::FrameState& frame, const NextTriangle& n
 
 void FrameBench::run_into_reset(const spec::FrameState& frame, const NextTriangle& next,
                                 Cycle cycles) {
-  memory_.start(frame, core::FrameBuffer(unit_.contract(), frame), unit_.cycle());
+  memory_.start(frame, PagedBuffer(unit_.contract(), frame), unit_.cycle());
   frames_.offer(frame);
   Progress progress;
   progress.start = progress.last_event = unit_.cycle();
@@ -79,7 +79,7 @@ std::array<timing::Cause, timing::kUnits> FrameBench::run_close_up(const spec::F
                                                                    const NextTriangle& next,
                                                                    Listener* listener,
                                                                    const CloseUp& close_up) {
-  memory_.start(frame, core::FrameBuffer(unit_.contract(), frame), unit_.cycle());
+  memory_.start(frame, PagedBuffer(unit_.contract(), frame), unit_.cycle());
   frames_.offer(frame);
   Progress progress;
   progress.drained = true;  // the counters are read here

@@ -53,7 +53,11 @@ class FrameBench {
                                                          const CloseUp& close_up);
 
   /// Memories as the last frame left them. Hits are counted when a listener is there.
-  const core::FrameBuffer& buffer() const { return memory_.buffer(); }
+  core::FrameBuffer buffer() const { return memory_.memories().whole(); }
+  const PagedBuffer& memories() const { return memory_.memories(); }
+  const spec::Contract& contract() const { return unit_.contract(); }
+  /// Of the frames that follow.
+  void set_stalls(const Stalls& stalls) { stalls_ = stalls; }
   bool trace(const std::string& file) { return unit_.trace(file); }
 
  private:

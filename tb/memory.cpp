@@ -29,14 +29,19 @@ MemoryEnd::MemoryEnd(const RtlUnit& unit, std::shared_ptr<MemoryTiming> timing)
   }
 }
 
-void MemoryEnd::start(const spec::FrameState& frame, core::FrameBuffer buffer, Cycle cycle) {
+void MemoryEnd::start(const spec::FrameState& frame, PagedBuffer buffer, Cycle cycle) {
   buffer_ = std::move(buffer);
   timing_->begin_frame(frame);
   start_ = cycle;
 }
 
-void MemoryEnd::clear_depth(uint32_t code) {
-  std::fill(buffer_.depth.begin(), buffer_.depth.end(), code);
+void MemoryEnd::clear_depth(uint32_t code) { buffer_.clear_depth(code); }
+
+void MemoryEnd::count_hits(const spec::Stamp& stamp) {
+  buffer_.for_each_lane(contract_, stamp.x, stamp.y, stamp.mask,
+                        [](size_t, PagedBuffer::Page* page, size_t sample) {
+                          if (page->hits[sample] != UINT16_MAX) ++page->hits[sample];
+                        });
 }
 
 void MemoryEnd::forget() {
@@ -81,19 +86,21 @@ void MemoryEnd::read(Cycle cycle) {
   last_response_ = response->cycle;
   std::fill(response->words.begin(), response->words.end(), 0);
   buffer_.for_each_lane(contract_, depth_->read_words.x(), depth_->read_words.y(),
-                        depth_->read_words.mask(), [&](size_t lane, size_t sample) {
+                        depth_->read_words.mask(),
+                        [&](size_t lane, const PagedBuffer::Page* page, size_t sample) {
                           spec::set_bits(response->words.data(), static_cast<int>(lane) * bits,
-                                         bits, buffer_.depth[sample]);
+                                         bits, page->depth[sample]);
                         });
 }
 
 void MemoryEnd::write_depth() {
   const int bits = contract_.design.depth_bits;
-  buffer_.for_each_lane(contract_, depth_->write_words.x(), depth_->write_words.y(),
-                        depth_->write_words.mask(), [&](size_t lane, size_t sample) {
-                          buffer_.depth[sample] = static_cast<uint32_t>(
-                              depth_->write_words.element(depth_->z, lane, bits));
-                        });
+  buffer_.for_each_lane(
+      contract_, depth_->write_words.x(), depth_->write_words.y(), depth_->write_words.mask(),
+      [&](size_t lane, PagedBuffer::Page* page, size_t sample) {
+        page->depth[sample] =
+            static_cast<uint32_t>(depth_->write_words.element(depth_->z, lane, bits));
+      });
 }
 
 void MemoryEnd::write_color() {
@@ -102,8 +109,8 @@ void MemoryEnd::write_color() {
   const int bits = contract_.design.attribute_bits;
   buffer_.for_each_lane(
       contract_, color_words_.x(), color_words_.y(), color_words_.mask(),
-      [&](size_t lane, size_t sample) {
-        uint16_t* to = buffer_.color.data() + sample * (attributes + flat);
+      [&](size_t lane, PagedBuffer::Page* page, size_t sample) {
+        uint16_t* to = page->color.data() + sample * (attributes + flat);
         for (size_t a = 0; a < attributes; ++a) {
           *to++ = static_cast<uint16_t>(color_words_.element(attr_, lane * attributes + a, bits));
         }

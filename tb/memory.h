@@ -10,6 +10,7 @@
 #include "model/memory/stalls.h"
 #include "model/memory/timing.h"
 #include "model/timing/counted/listener.h"
+#include "tb/paged_buffer.h"
 #include "tb/stream.h"
 
 namespace pineda::tb {
@@ -62,7 +63,7 @@ class MemoryEnd {
   MemoryEnd(const RtlUnit& unit, std::shared_ptr<MemoryTiming> timing);
 
   /// A frame whose cycle 0 is `cycle`.
-  void start(const spec::FrameState& frame, core::FrameBuffer buffer, Cycle cycle);
+  void start(const spec::FrameState& frame, PagedBuffer buffer, Cycle cycle);
   /// The depth of every sample, as the unit asks for it at the start of a frame.
   void clear_depth(uint32_t code);
   /// Before settle: ready signals and a due response.
@@ -72,8 +73,8 @@ class MemoryEnd {
   /// Forgets everything under way, as after a reset.
   void forget();
 
-  void count_hits(const spec::Stamp& stamp) { buffer_.count_hits(contract_, stamp); }
-  const core::FrameBuffer& buffer() const { return buffer_; }
+  void count_hits(const spec::Stamp& stamp);
+  const PagedBuffer& memories() const { return buffer_; }
 
  private:
   struct Response {
@@ -106,7 +107,7 @@ class MemoryEnd {
   std::vector<Response> due_;        // read n's is at n modulo its size
   size_t asked_ = 0, answered_ = 0;  // reads
   Cycle last_response_ = -1;
-  core::FrameBuffer buffer_;
+  PagedBuffer buffer_;
 };
 
 }  // namespace pineda::tb

@@ -39,9 +39,11 @@ Scoreboard::Scoreboard(std::string who, const spec::Contract& contract,
       depths_(contract),
       colors_(contract) {}
 
-void Scoreboard::diverge(const std::string& text) {
+void Scoreboard::diverge(const std::string& text, std::optional<Cycle> cycle) {
   ++mismatches_;
-  if (first_.empty()) first_ = fmt::format("{} {}", who_, text);
+  if (!first_.empty()) return;
+  first_ = fmt::format("{} {}", who_, text);
+  first_cycle_ = cycle;
 }
 
 // True when a token was expected, which the caller then pops.
@@ -51,12 +53,14 @@ bool Scoreboard::compare(const char* unit, Cycle cycle, const T* expected, const
   ++compared_;
   if (expected == nullptr) {
     diverge(fmt::format("{}: triangle {}, cycle {}: a {} too many", unit, got.id, cycle,
-                        spec::struct_name<T>()));
+                        spec::struct_name<T>()),
+            cycle);
     return false;
   }
   if (const auto text = comparer.difference(*expected, got)) {
     diverge(fmt::format("{}: triangle {}, cycle {}: {}.{}", unit, expected->id, cycle,
-                        spec::struct_name<T>(), *text));
+                        spec::struct_name<T>(), *text),
+            cycle);
   }
   return true;
 }

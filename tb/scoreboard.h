@@ -80,6 +80,8 @@ class Scoreboard : public Listener {
   uint64_t mismatches() const { return mismatches_; }
   /// "RTL setup: triangle 12, cycle 345: e[1]: expected 0x.. (..), got 0x.. (..)"; empty if none.
   const std::string& first_divergence() const { return first_; }
+  /// Its cycle; none where a token never came.
+  std::optional<Cycle> first_cycle() const { return first_cycle_; }
   /// The frame as core drew it; whole after finish().
   const core::Renderer& renderer() const { return reference_.renderer(); }
 
@@ -87,7 +89,7 @@ class Scoreboard : public Listener {
   template <class T>
   bool compare(const char* unit, Cycle cycle, const T* expected, const T& got,
                const spec::Comparer<T>& comparer);
-  void diverge(const std::string& text);
+  void diverge(const std::string& text, std::optional<Cycle> cycle = {});
   void pass_over_hidden(const spec::Stamp* got);
 
   std::string who_;
@@ -101,6 +103,7 @@ class Scoreboard : public Listener {
   uint64_t left_out_ = 0;
   uint64_t mismatches_ = 0;
   std::string first_;
+  std::optional<Cycle> first_cycle_;
 };
 
 }  // namespace pineda::tb

@@ -32,8 +32,7 @@ InterpZtestBench::InterpZtestBench(const RtlLibrary& library, const BenchOptions
   unit_.reset();
 }
 
-InterpZtestBench::Writes InterpZtestBench::run_on(core::FrameBuffer memory,
-                                                  const spec::FrameState& frame,
+InterpZtestBench::Writes InterpZtestBench::run_on(PagedBuffer memory, const spec::FrameState& frame,
                                                   const std::vector<spec::Stamp>& stamps,
                                                   std::vector<Cycle>* accepted) {
   Writes writes;

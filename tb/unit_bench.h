@@ -33,6 +33,8 @@ class UnitBench {
   }
 
   RtlUnit& unit() { return unit_; }
+  /// Of the tokens that follow.
+  void set_stalls(const Stalls& stalls) { stalls_ = stalls; }
 
   /// Feeds all tokens, then waits until the unit is idle. *accepted, if given, gets the cycles in
   /// which it took them.
@@ -102,12 +104,13 @@ class InterpZtestBench {
   /// Clears the memories, feeds all stamps, waits until the unit is idle.
   Writes run(const spec::FrameState& frame, const std::vector<spec::Stamp>& stamps,
              std::vector<Cycle>* accepted = nullptr) {
-    return run_on(core::FrameBuffer(unit_.contract(), frame), frame, stamps, accepted);
+    return run_on(PagedBuffer(unit_.contract(), frame), frame, stamps, accepted);
   }
   /// The same on memories that hold something.
-  Writes run_on(core::FrameBuffer memory, const spec::FrameState& frame,
+  Writes run_on(PagedBuffer memory, const spec::FrameState& frame,
                 const std::vector<spec::Stamp>& stamps, std::vector<Cycle>* accepted = nullptr);
-  const core::FrameBuffer& buffer() const { return memory_.buffer(); }
+  core::FrameBuffer buffer() const { return memory_.memories().whole(); }
+  void set_stalls(const Stalls& stalls) { stalls_ = stalls; }
 
  private:
   RtlUnit unit_;

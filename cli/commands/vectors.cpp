@@ -1,12 +1,12 @@
 // pineda vectors: makes test vectors, says what a file holds, runs it on the model or on the RTL.
+#include "cli/commands/vectors.h"
+
 #include <memory>
+#include <optional>
 
 #include "cli/models.h"
-#include "cli/output.h"
-#include "cli/reserved_file.h"
-#include "model/spec/package.h"
 #include "studies/vectors/benches.h"
-#include "tb/unit_bench.h"
+#include "vectors/coverage/coverage.h"
 #include "vectors/generator/generate.h"
 
 namespace pineda::cli {
@@ -18,55 +18,28 @@ enum class Side { kModel, kRtl };
 inline constexpr spec::Name<Side> kSideNames[] = {{Side::kModel, "model"}, {Side::kRtl, "rtl"}};
 constexpr const auto& names(Side) { return kSideNames; }
 
-struct VectorOptions : Options {
-  std::string file;
-  std::string unit;
-  int level = 1;
-  std::string on = spec::name_of(Side::kRtl);
-};
-
-/// Calls work(Case{}) with the case of a unit.
-template <class Work>
-auto with_case(Unit unit, Work&& work) {
-  switch (unit) {
-    case Unit::kSetup:
-      return work(vectors::SetupCase{});
-    case Unit::kTraversal:
-      return work(vectors::TraversalCase{});
-    case Unit::kInterpZtest:
-      return work(vectors::InterpZtestCase{});
-    case Unit::kFrame:
-      break;
-  }
-  return work(vectors::FrameCase{});
-}
-
-Json header_json(const VectorOptions& options, const vectors::Header& header) {
-  return {{"file", options.file},
-          {"unit", spec::name_of(header.unit)},
-          {"design", header.contract.design.name},
-          {"level", header.level},
-          {"seed", header.seed},
-          {"formats", fmt::format("{:016x}", spec::formats_hash(header.contract))}};
-}
-
 int generate(const VectorOptions& options) {
   const Output output(options);
   const spec::Contract contract = contract_of(options);
   require_of(options, contract.design, spec::no_rtl_reason);
   const Unit unit = *spec::named<Unit>(options.unit);
   const vectors::Tally tally =
-      vectors::generate_file(unit, contract, options.level, options.seed,
+      vectors::generate_file(unit, contract, {options.level, options.seed, options.count},
                              spec::error_bounds(contract.design), options.file);
-  vectors::Header header{unit, contract, options.level, options.seed, tally.cases};
-  Json json = header_json(options, header);
+  Json json = header_json(options, {unit, contract, options.level, options.seed});
   json["cases"] = tally.cases;
   json["empty"] = tally.empty;
   json["large"] = tally.large;
+  if (!options.count) json["missed"] = tally.missed;
   output.line("{}: {} cases of {}, {}", options.file, grouped(tally.cases), options.unit,
               contract.design.name);
   output.row("left out", fmt::format("{} scenes that reach the unit with nothing, {} too large",
                                      grouped(tally.empty), grouped(tally.large)));
+  if (!options.count) {
+    output.row("missed", tally.missed == 0 ? std::string("no bin of the coverage")
+                                           : fmt::format("{} bins of the coverage; info names them",
+                                                         grouped(tally.missed)));
+  }
   output.json(json);
   return kHolds;
 }
@@ -83,59 +56,75 @@ std::map<std::string, size_t> counts(const vectors::InterpZtestCase& c) {
       {"stamps", c.in.size()}, {"depth_writes", c.depth.size()}, {"color_writes", c.color.size()}};
 }
 std::map<std::string, size_t> counts(const vectors::FrameCase& c) {
-  return {{"triangles", c.in.size()}, {"samples", c.buffer.hits.size()}};
+  return {{"triangles", c.in.size()}, {"samples", c.samples.size()}};
+}
+
+/// The points with their bins hit, and the bins that are not, as text; all of it in JSON.
+Json coverage_of(const vectors::Coverage& coverage, const Output& output) {
+  Json json{{"bins", coverage.bins()}, {"hit", coverage.hit()}};
+  output.line("\n{:<24}{:>8}{:>8}", "coverage", "bins", "hit");
+  std::vector<std::string> missed;
+  for (const vectors::PointHits& point : coverage.points()) {
+    size_t reachable = 0, hit = 0;
+    Json counts = Json::object(), unreachable;
+    for (size_t i = 0; i < point.bins.size(); ++i) {
+      const vectors::Bin& bin = point.bins[i];
+      if (!bin.unreachable.empty()) {
+        unreachable[bin.name] = bin.unreachable;
+        continue;
+      }
+      ++reachable;
+      hit += point.count[i] > 0 ? 1 : 0;
+      counts[bin.name] = point.count[i];
+      if (point.count[i] == 0) missed.push_back(point.name + ": " + bin.name);
+    }
+    json["points"][point.name] = {{"what", point.what}, {"hits", counts}};
+    if (!unreachable.empty()) json["points"][point.name]["unreachable"] = unreachable;
+    output.line("{:<24}{:>8}{:>8}", point.name, reachable, hit);
+  }
+  output.line("{:<24}{:>8}{:>8}", "all", coverage.bins(), coverage.hit());
+  for (const std::string& bin : coverage.contradictions()) output.warn(bin);
+  if (!missed.empty()) output.line("\nnot hit");
+  for (const std::string& bin : missed) output.line("  {}", bin);
+  return json;
 }
 
 int info(const VectorOptions& options) {
   const Output output(options);
-  const vectors::Header header = vectors::read_header(options.file);
-  Json json = header_json(options, header);
-  with_case(header.unit, [&](auto kind) {
+  Json json = with_case(vectors::read_header(options.file).unit, [&](auto kind) {
     using Case = decltype(kind);
-    const auto file = vectors::read<Case>(options.file);
+    vectors::Reader<Case> reader(options.file);
+    const vectors::Header& header = reader.header();
     std::map<std::string, size_t> tokens;
     std::map<std::string, size_t> classes;
+    uint64_t cases = 0;
     int width = 0, height = 0;
-    for (const Case& c : file.cases) {
+    vectors::Coverage coverage(header.unit, header.contract);
+    for (Case c; reader.next(&c);) {
+      ++cases;
+      coverage.see(c);
       for (const auto& [name, count] : counts(c)) tokens[name] += count;
       ++classes[c.name.substr(0, c.name.rfind('.'))];
       width = std::max(width, c.frame.width);
       height = std::max(height, c.frame.height);
     }
-    json["cases"] = file.cases.size();
-    json["tokens"] = tokens;
-    json["greatest_frame"] = {{"width", width}, {"height", height}};
-    json["classes"] = classes;
-    output.line("{}: {} cases of {}, {}, level {}, seed {}", options.file,
-                grouped(file.cases.size()), spec::name_of(header.unit), header.contract.design.name,
-                header.level, header.seed);
+    output.line("{}: {} cases of {}, {}, level {}, seed {}", options.file, grouped(cases),
+                spec::name_of(header.unit), header.contract.design.name, header.level, header.seed);
     for (const auto& [name, count] : tokens) output.row(name, grouped(count));
     output.row("greatest frame", fmt::format("{}x{}", width, height));
     output.line("\n{:<24}{:>8}", "class", "cases");
     for (const auto& [name, count] : classes) output.line("{:<24}{:>8}", name, count);
+    Json told = header_json(options, header);
+    told["cases"] = cases;
+    told["tokens"] = tokens;
+    told["greatest_frame"] = {{"width", width}, {"height", height}};
+    told["classes"] = classes;
+    told["coverage"] = coverage_of(coverage, output);
+    return told;
   });
   output.json(json);
   return kHolds;
 }
-
-template <class Case>
-struct BenchOf;
-template <>
-struct BenchOf<vectors::SetupCase> {
-  using Type = tb::SetupBench;
-};
-template <>
-struct BenchOf<vectors::TraversalCase> {
-  using Type = tb::TraversalBench;
-};
-template <>
-struct BenchOf<vectors::InterpZtestCase> {
-  using Type = tb::InterpZtestBench;
-};
-template <>
-struct BenchOf<vectors::FrameCase> {
-  using Type = tb::FrameBench;
-};
 
 /// The first difference, and how many cases have one.
 struct Mismatches {
@@ -148,22 +137,27 @@ struct Mismatches {
   }
 };
 
+/// The cases of a file, each on one side; their number goes to *cases.
 template <class Case>
-Mismatches run_on(Side side, const vectors::File<Case>& file, const VectorOptions& options,
-                  const Output& output, Progress* progress) {
+Mismatches run_on(Side side, const VectorOptions& options, const Output& output, Progress* progress,
+                  uint64_t* cases) {
+  vectors::Reader<Case> reader(options.file);
+  const spec::Contract& contract = reader.header().contract;
   Mismatches mismatches;
-  uint64_t done = 0;
-  const auto judge = [&](const Case& expected, const Case& got) {
-    mismatches.add(vectors::difference(file.contract, expected, got));
-    progress->update("running", ++done);
-  };
   if (side == Side::kModel) {
-    for (const Case& c : file.cases) judge(c, vectors::run_model(file.contract, c));
+    for (Case c; reader.next(&c);) {
+      mismatches.add(vectors::difference(contract, c, vectors::run_model(contract, c)));
+      progress->update("running", ++*cases);
+    }
     return mismatches;
   }
-  const tb::RtlLibrary library(file.contract, [&](const std::string& text) { output.say(text); });
-  typename BenchOf<Case>::Type bench(library, bench_options(options, file.contract));
-  for (const Case& c : file.cases) judge(c, vectors::run(&bench, c));
+  const tb::RtlLibrary library(contract, [&](const std::string& text) { output.say(text); });
+  vectors::RtlRunner<Case> runner(library, bench_options(options, contract));
+  const memory::Stalls asked(stall_mode_of(options), options.seed);
+  for (Case c; reader.next(&c);) {
+    mismatches.add(runner.difference(c, asked.any() ? std::optional(asked) : std::nullopt));
+    progress->update("running", ++*cases);
+  }
   return mismatches;
 }
 
@@ -173,19 +167,18 @@ int run(const VectorOptions& options) {
   const Side side = *spec::named<Side>(options.on);
   const vectors::Header header = vectors::read_header(options.file);
   Json json = header_json(options, header);
-  Mismatches mismatches;
-  with_case(header.unit, [&](auto kind) {
-    const auto file = vectors::read<decltype(kind)>(options.file);
-    json["cases"] = file.cases.size();
-    mismatches = run_on(side, file, options, output, &progress);
-    progress.clear();
-    output.line("{}: {} cases of {}, {}, on the {}", options.file, grouped(file.cases.size()),
-                spec::name_of(header.unit), header.contract.design.name, options.on);
+  uint64_t cases = 0;
+  const Mismatches mismatches = with_case(header.unit, [&](auto kind) {
+    return run_on<decltype(kind)>(side, options, output, &progress, &cases);
   });
+  progress.clear();
+  output.line("{}: {} cases of {}, {}, on the {}", options.file, grouped(cases),
+              spec::name_of(header.unit), header.contract.design.name, options.on);
   const bool holds = mismatches.cases == 0;
   output.row("mismatches", fmt::format("{} cases", grouped(mismatches.cases)));
   if (!holds) output.row("first", mismatches.first);
   output.line("{}", holds ? "It holds." : "IT DOES NOT HOLD.");
+  json["cases"] = cases;
   json["on"] = options.on;
   json["stall"] = options.stall;
   json["mismatches"] = mismatches.cases;
@@ -202,7 +195,6 @@ std::pair<CLI::App*, std::shared_ptr<VectorOptions>> add(CLI::App* parent, const
                                                          int* exit_code) {
   auto options = std::make_shared<VectorOptions>();
   auto* command = parent->add_subcommand(name, what);
-  add_output_options(command, options.get());
   command->callback([options, work, exit_code] {
     try {
       *exit_code = work(*options);
@@ -216,6 +208,7 @@ std::pair<CLI::App*, std::shared_ptr<VectorOptions>> add(CLI::App* parent, const
 void add_generate(CLI::App* parent, int* exit_code) {
   const auto [command, options] =
       add(parent, "generate", "Makes a file, judged by exact arithmetic", generate, exit_code);
+  add_output_options(command, options.get());
   command->add_option("--unit", options->unit, "The unit: " + spec::alternatives<Unit>())
       ->required()
       ->check(CLI::IsMember(spec::word_list<Unit>()))
@@ -230,18 +223,25 @@ void add_generate(CLI::App* parent, int* exit_code) {
   command->add_option("--seed", options->seed, "Of the random numbers")
       ->type_name("N")
       ->capture_default_str();
+  command
+      ->add_option("--count", options->count,
+                   "So many cases: the level's first, then random ones; not given: the level's")
+      ->check(CLI::Range(uint64_t{1}, uint64_t{1} << 40))
+      ->type_name("K");
   command->add_option("-o,--out", options->file, "The file")->required()->type_name("FILE");
 }
 
 void add_info(CLI::App* parent, int* exit_code) {
   const auto [command, options] =
       add(parent, "info", "What a file holds, once it is read whole", info, exit_code);
+  add_output_options(command, options.get());
   command->add_option("FILE", options->file, "The file")->required()->type_name("");
 }
 
 void add_run(CLI::App* parent, int* exit_code) {
   const auto [command, options] =
       add(parent, "run", "Runs each case and compares every bit that comes out", run, exit_code);
+  add_output_options(command, options.get());
   command->add_option("FILE", options->file, "The file")->required()->type_name("");
   command->add_option("--on", options->on, "Who runs it: " + spec::alternatives<Side>())
       ->check(CLI::IsMember(spec::word_list<Side>()))
@@ -253,6 +253,45 @@ void add_run(CLI::App* parent, int* exit_code) {
   add_time_options(command, options.get());
 }
 
+void add_shrink(CLI::App* parent, int* exit_code) {
+  const auto [command, options] =
+      add(parent, "shrink", "The first case that fails, as small as it still fails in the same way",
+          shrink_vectors, exit_code);
+  add_output_options(command, options.get());
+  command->add_option("FILE", options->file, "The file")->required()->type_name("");
+  command
+      ->add_option("--run", options->command,
+                   "A command, {} for the file's name, that exits non-zero where a case fails; "
+                   "not given: our RTL")
+      ->type_name("'COMMAND {}'");
+  command->add_option("-o,--out", options->result, "The small file; default FILE_shrunk")
+      ->type_name("FILE");
+  command->add_option("--seed", options->seed, "Of the stalls")
+      ->type_name("N")
+      ->capture_default_str();
+  add_time_options(command, options.get());
+}
+
+void add_export(CLI::App* parent, int* exit_code) {
+  const auto [command, options] =
+      add(parent, "export", "The streams as memories for $readmemh, as tables or as JSON",
+          export_vectors, exit_code);
+  command->add_option("FILE", options->file, "The file")->required()->type_name("");
+  auto* forms = command->add_option_group("form");
+  const auto form = [&, chosen = &options->form](const char* name, const char* what) {
+    forms->add_flag_callback(
+        "--" + std::string(name), [chosen, name] { *chosen = name; }, what);
+  };
+  form("readmemh", "A folder, a file a stream: a packed row a line; rows.hex, vectors.svh: sizes");
+  form("csv", "A folder, a file a stream: a row a line");
+  form("json", "A file: columns, and of each case the rows of its streams");
+  forms->require_option(1);
+  command->add_option("-o,--out", options->result, "The folder or file")
+      ->required()
+      ->type_name("PATH");
+  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+}
+
 }  // namespace
 
 void add_vectors(CLI::App* program, int* exit_code) {
@@ -262,6 +301,8 @@ void add_vectors(CLI::App* program, int* exit_code) {
   add_generate(command, exit_code);
   add_info(command, exit_code);
   add_run(command, exit_code);
+  add_shrink(command, exit_code);
+  add_export(command, exit_code);
 }
 
 }  // namespace pineda::cli

@@ -111,7 +111,8 @@ std::vector<Vertex> clip_vertices(const scene::Scene& scene) {
   std::vector<Vertex> vertices;
   const spec::Design& d = scene.source->contract().design;
   const double px = 1 << d.subpixel_bits;
-  const auto code = static_cast<double>(((int64_t{1} << d.depth_bits) - 1) << spec::kDepthInputFractionBits);
+  const auto code =
+      static_cast<double>(((int64_t{1} << d.depth_bits) - 1) << spec::kDepthInputFractionBits);
   for (spec::Triangle triangle; scene.source->next(&triangle);) {
     for (size_t i = 0; i < 3; ++i) {
       const scene::ScreenVertex& stated = scene.source->screen().v[i];

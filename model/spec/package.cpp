@@ -279,10 +279,9 @@ std::string loopback_ports(const Contract& c) {
   return text;
 }
 
-uint64_t text_hash(const std::string& text) {
-  uint64_t hash = 0xcbf29ce484222325u;
-  for (const unsigned char byte : text) hash = (hash ^ byte) * 0x100000001b3u;
-  return hash;
+uint64_t text_hash(const std::string& text, uint64_t before) {
+  for (const unsigned char byte : text) before = (before ^ byte) * 0x100000001b3u;
+  return before;
 }
 
 uint64_t package_hash(const Contract& c) { return text_hash(package_text(c)); }

@@ -19,8 +19,8 @@ std::string loopback_text(const Contract& contract);
 /// The ports of loopback.sv, one line PORT(name) for each.
 std::string loopback_ports(const Contract& contract);
 
-/// FNV-1a (64 bits) of a text.
-uint64_t text_hash(const std::string& text);
+/// FNV-1a (64 bits) of a text; of more text, `before` is the hash of what stands before it.
+uint64_t text_hash(const std::string& text, uint64_t before = 0xcbf29ce484222325u);
 
 /// Hash of the whole package, buffer depths included. A plug-in stores it, so that one built from
 /// another package is refused.

@@ -65,7 +65,8 @@ module netlist_bench;
   localparam Lanes = 1 << (WidthLog2 + HeightLog2);
   localparam Latency = 5;  // of a depth read, cycles
   localparam Pending = 64;
-  localparam Samples = 65536;  // of a frame, as vectors have them
+  localparam Slots = 65536;  // more samples than a case touches
+  localparam [31:0] Free = 32'hffffffff;
 
   // unit.svh joins bits of vectors when they have settled: as nets, wide ones would be computed anew
   // for each bit that changes.
@@ -113,13 +114,32 @@ module netlist_bench;
     .fault_o(write_fault)
   );
 
-  // The depth memory. A read sees the writes of earlier cycles; there is nothing outside the frame.
-  reg [DepthBits-1:0] memory [0:Samples-1];
+  // The depth memory: a slot for each sample that was touched. A read sees the writes of earlier cycles;
+  // there is nothing outside the frame.
+  reg [DepthBits-1:0] memory [0:Slots-1];
+  reg [31:0] owner [0:Slots-1];  // the sample's number in its frame
+  integer taken [0:Slots-1], slots_taken = 0, slot;
+  initial for (slot = 0; slot < Slots; slot = slot + 1) owner[slot] = Free;
   reg [Lanes*DepthBits-1:0] answer [0:Pending-1];
   reg [31:0] due [0:Pending-1];
   integer asked = 0, answered = 0, memory_seed = 4, lane, x, y;
-  reg [31:0] width = 0, height = 0;
+  reg [31:0] width = 0, height = 0, cleared = 0;
   reg [Lanes*DepthBits-1:0] found;
+
+  // The slot of the sample at (x, y), cleared if it is new.
+  task find_slot;
+    begin
+      slot = (y * width + x) % Slots;
+      while (owner[slot] != y * width + x && owner[slot] != Free) slot = (slot + 1) % Slots;
+      if (owner[slot] == Free) begin
+        owner[slot] = y * width + x;
+        memory[slot] = cleared;
+        taken[slots_taken] = slot;
+        slots_taken = slots_taken + 1;
+      end
+    end
+  endtask
+
   always @(posedge look) begin
     if (response_valid && response_ready === 1) begin
       answered = answered + 1;
@@ -131,7 +151,8 @@ module netlist_bench;
         x = (read[ReadX+:XBits] << WidthLog2) + lane % (1 << WidthLog2);
         y = (read[ReadY+:YBits] << HeightLog2) + lane / (1 << WidthLog2);
         if (read[ReadMask+lane] && x < width && y < height) begin
-          found[lane*DepthBits+:DepthBits] = memory[y*width+x];
+          find_slot;
+          found[lane*DepthBits+:DepthBits] = memory[slot];
         end
       end
       answer[asked%Pending] = found;
@@ -143,7 +164,8 @@ module netlist_bench;
         x = (write[WriteX+:XBits] << WidthLog2) + lane % (1 << WidthLog2);
         y = (write[WriteY+:YBits] << HeightLog2) + lane / (1 << WidthLog2);
         if (write[WriteMask+lane] && x < width && y < height) begin
-          memory[y*width+x] = write[WriteZ+lane*DepthBits+:DepthBits];
+          find_slot;
+          memory[slot] = write[WriteZ+lane*DepthBits+:DepthBits];
         end
       end
     end
@@ -156,7 +178,7 @@ module netlist_bench;
 
   // The source.
   localparam Start = 0, Token = 1, End = 2;
-  integer file, kind, got, source_seed, sample;
+  integer file, kind, got, source_seed;
   reg [InBits-1:0] next_token;
   reg [FrameBits-1:0] next_frame;
   reg [31:0] clear_depth, next_width, next_height, next_func, next_write, moved = 0;
@@ -182,9 +204,11 @@ module netlist_bench;
       depth_func <= #2 next_func;
       depth_write <= #2 next_write;
       width = next_width;
+      cleared = clear_depth;
       height = next_height;
-      for (sample = 0; sample < width * height && sample < Samples; sample = sample + 1) begin
-        memory[sample] = clear_depth;
+      while (slots_taken > 0) begin
+        slots_taken = slots_taken - 1;
+        owner[taken[slots_taken]] = Free;
       end
       next_line;
     end

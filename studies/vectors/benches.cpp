@@ -1,5 +1,10 @@
 #include "studies/vectors/benches.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "model/spec/clear_depth.h"
+
 namespace pineda::vectors {
 
 SetupCase run(tb::SetupBench* bench, const SetupCase& inputs) {
@@ -31,10 +36,40 @@ FrameCase run(tb::FrameBench* bench, const FrameCase& inputs) {
     *triangle = inputs.in[next++];
     return true;
   };
+  if (inputs.reset_cycle) {
+    bench->run_into_reset(inputs.frame, pull, static_cast<tb::Cycle>(*inputs.reset_cycle));
+    next = 0;
+  }
   timing::Listener hits_are_counted;
   got.counters = bench->run(inputs.frame, pull, &hits_are_counted).counters;
-  got.buffer = bench->buffer();
+  got.samples = samples_of(*bench, inputs.frame);
   return got;
+}
+
+std::vector<Sample> samples_of(const tb::FrameBench& bench, const spec::FrameState& frame) {
+  const uint32_t cleared = spec::cleared_depth(bench.contract().design, frame);
+  const auto channels = static_cast<size_t>(spec::channels(bench.contract().design));
+  constexpr auto kSide = static_cast<size_t>(tb::PagedBuffer::kSide);
+  std::vector<Sample> samples;
+  for (const tb::PagedBuffer::Page* page : bench.memories().pages()) {
+    for (size_t i = 0; i < kSide * kSide; ++i) {
+      const int x = page->x + static_cast<int>(i % kSide);
+      const int y = page->y + static_cast<int>(i / kSide);
+      if (x >= frame.width || y >= frame.height) continue;
+      const uint16_t* const color = page->color.data() + i * channels;
+      const bool is_cleared =
+          page->hits[i] == 0 && page->depth[i] == cleared &&
+          std::all_of(color, color + channels, [](uint16_t v) { return v == 0; });
+      if (is_cleared) continue;
+      Sample sample{x, y, page->depth[i], {}, page->hits[i]};
+      std::copy(color, color + channels, sample.color.begin());
+      samples.push_back(sample);
+    }
+  }
+  std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
+    return std::pair(a.y, a.x) < std::pair(b.y, b.x);
+  });
+  return samples;
 }
 
 }  // namespace pineda::vectors

@@ -21,7 +21,7 @@ BEGIN {
   may["model/baseline"] = "model/baseline model/spec"
   may["model/memory"] = "model/memory model/core model/spec"
   may["model/timing"] = "model/timing model/memory model/fast model/core model/spec"
-  may["vectors"] = "vectors model/judge model/figures model/core model/exact model/spec"
+  may["vectors"] = "vectors model/judge model/memory model/figures model/core model/exact model/files model/spec"
   may["tb"] = "tb model/timing model/memory model/core model/files model/spec"
   may["studies"] = "studies tb vectors model/timing model/memory model/scene model/baseline " \
                    "model/judge model/exact model/fast model/core model/figures model/files model/spec"

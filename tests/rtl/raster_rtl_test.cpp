@@ -61,7 +61,7 @@ std::string difference_of(InterpZtestBench* bench, const spec::Contract& c, cons
   const auto model = model_writes(c, expected, &memory);
   if (writes != nullptr) *writes += model.color.size();
   vectors::InterpZtestCase got{"random", drawing.frame, {}, {}, {}};
-  auto written = bench->run_on(drawing.memory, drawing.frame, drawing.stamps);
+  auto written = bench->run_on(PagedBuffer(c, drawing.memory), drawing.frame, drawing.stamps);
   got.depth = std::move(written.depth.tokens);
   got.color = std::move(written.color.tokens);
   if (const auto text = vectors::difference(c, model, got)) return *text;

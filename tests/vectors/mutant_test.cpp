@@ -1,4 +1,5 @@
 // The comparisons must see every wrong bit, and say where it is.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "model/spec/difference.h"
@@ -89,22 +90,31 @@ TEST(Mutant, EveryMemoryAndCounterOfAFrameIsSeen) {
   };
   EXPECT_EQ(text(expected), "none");
   FrameCase got = expected;
-  got.buffer.depth[0] = 0xfffffe;
-  ASSERT_EQ(expected.buffer.depth[0], 0xffffffu);
-  EXPECT_EQ(text(got),
-            "frame case sample.0: sample (0, 0): depth: expected 0xffffff (16777215 code), "
-            "got 0xfffffe (16777214 code)");
-  got = expected;
-  got.buffer.color.back() ^= 0x80;
-  EXPECT_EQ(text(got).find("frame case sample.0: sample (6, 5): color[3]: expected 0x"), 0u)
+  const Sample first = expected.samples.front(), last = expected.samples.back();
+  got.samples.front().depth ^= 1;
+  EXPECT_EQ(text(got).find(fmt::format("frame case sample.0: sample ({}, {}): depth: expected 0x",
+                                       first.x, first.y)),
+            0u)
       << text(got);
   got = expected;
-  ++got.buffer.hits[8];
-  EXPECT_EQ(text(got).find("frame case sample.0: sample (1, 1): hits: expected 0x"), 0u)
+  got.samples.back().color[3] ^= 0x80;
+  EXPECT_EQ(text(got).find(fmt::format("frame case sample.0: sample ({}, {}): color[3]: expected",
+                                       last.x, last.y)),
+            0u)
       << text(got);
   got = expected;
-  got.buffer.hits.pop_back();
-  EXPECT_NE(text(got), "none");
+  ++got.samples[8].hits;
+  EXPECT_NE(text(got).find("): hits: expected 0x"), std::string::npos) << text(got);
+  got = expected;
+  got.samples.pop_back();
+  EXPECT_EQ(text(got), fmt::format("frame case sample.0: sample ({}, {}): expected to be drawn, "
+                                   "got as cleared",
+                                   last.x, last.y));
+  got = expected;
+  got.samples.insert(got.samples.begin(), Sample{first.x - 1, first.y, 0, {}, 1});
+  EXPECT_EQ(text(got), fmt::format("frame case sample.0: sample ({}, {}): expected as cleared, "
+                                   "got drawn",
+                                   first.x - 1, first.y));
   for (const Counter& counter : counters()) {
     got = expected;
     ++counter.row->of(got.counters);

@@ -52,6 +52,9 @@ class Refusal : public testing::Test {
   const std::string traversal_ = write_text(sample_file<TraversalCase>());
   const std::string interp_ = write_text(sample_file<InterpZtestCase>());
   const std::string frame_ = write_text(sample_file<FrameCase>());
+
+  // The line with the hash of the content in setup_, the last one.
+  int content_line() const { return line_of(setup_, "\ncontent") + 1; }
 };
 
 TEST_F(Refusal, UnchangedFileIsTaken) {
@@ -62,8 +65,8 @@ TEST_F(Refusal, UnchangedFileIsTaken) {
 }
 
 TEST_F(Refusal, OtherVersion) {
-  expect_refusal(refusal<SetupCase>(changed(setup_, "vectors 1", "vectors 2")), 1,
-                 "'pineda-vectors 1', got 'pineda-vectors 2'");
+  expect_refusal(refusal<SetupCase>(changed(setup_, "vectors 2", "vectors 3")), 1,
+                 "'pineda-vectors 2', got 'pineda-vectors 3'");
 }
 
 TEST_F(Refusal, EmptyFile) { expect_refusal(refusal<SetupCase>(""), 1, "the end of the file"); }
@@ -93,14 +96,20 @@ TEST_F(Refusal, StaleFormatsHash) {
 }
 
 TEST_F(Refusal, WrongCount) {
-  expect_refusal(refusal<SetupCase>(changed(setup_, "cases 2", "cases 3")), 7,
-                 "2 cases, as the file holds, got 3");
+  expect_refusal(refusal<SetupCase>(changed(setup_, "cases 2", "cases 3")),
+                 line_of(setup_, "\ncases") + 1, "'cases 2', as the file holds, got 'cases 3'");
 }
 
 TEST_F(Refusal, WrongContentHash) {
-  const std::string hash = line(setup_, 8).substr(8);
+  const int number = content_line();
+  const std::string hash = line(setup_, number).substr(8);
   const std::string got = refusal<SetupCase>(changed(setup_, hash, "fedcba9876543210"));
-  expect_refusal(got, 8, hash);
+  expect_refusal(got, number, hash);
+}
+
+TEST_F(Refusal, SomethingBehindTheEnd) {
+  expect_refusal(refusal<SetupCase>(setup_ + "case more.0\n"), content_line() + 1,
+                 "the end of the file, got 'case more.0'");
 }
 
 TEST_F(Refusal, OneDigitOfAnOutputChanged) {
@@ -108,11 +117,11 @@ TEST_F(Refusal, OneDigitOfAnOutputChanged) {
   char& digit = text[text.rfind("setup_prim") + 30];
   ASSERT_NE(digit, ' ');
   digit = digit == '0' ? '1' : '0';
-  expect_refusal(refusal<SetupCase>(text), 8, "the hash");
+  expect_refusal(refusal<SetupCase>(text), content_line(), "the hash");
 }
 
 TEST_F(Refusal, ColumnsOfOtherNames) {
-  expect_refusal(refusal<SetupCase>(changed(setup_, "width height", "height width")), 9,
+  expect_refusal(refusal<SetupCase>(changed(setup_, "width height", "height width")), 7,
                  "'columns frame width height cull depth depth_write");
 }
 
@@ -123,15 +132,16 @@ TEST_F(Refusal, CutInsideALine) {
 }
 
 TEST_F(Refusal, CutBetweenTwoLinesOfACase) {
-  const std::string cut = setup_.substr(0, setup_.rfind("end"));
+  const std::string cut = setup_.substr(0, setup_.rfind("end\n"));
   const int last = static_cast<int>(std::count(cut.begin(), cut.end(), '\n'));
   expect_refusal(refusal<SetupCase>(cut), last + 1,
                  "'end' of case sample.0, got the end of the file");
 }
 
 TEST_F(Refusal, CutBetweenTwoCases) {
-  expect_refusal(refusal<SetupCase>(setup_.substr(0, setup_.rfind("\ncase"))), 7,
-                 "1 cases, as the file holds, got 2");
+  const std::string cut = setup_.substr(0, setup_.rfind("\ncase "));
+  const int last = static_cast<int>(std::count(cut.begin(), cut.end(), '\n'));
+  expect_refusal(refusal<SetupCase>(cut), last + 1, "'case' and its name, got the end of the file");
 }
 
 TEST_F(Refusal, BadHex) {
@@ -175,7 +185,7 @@ TEST_F(Refusal, StateThatMeansNothing) {
   const auto with = [&](const char* state) {
     return refusal<SetupCase>(changed(setup_, "frame 0007 0006 0 0", state));
   };
-  expect_refusal(with("frame 0000 0006 0 0"), number, "a frame of at least 1 x 1 px");
+  expect_refusal(with("frame 0000 0006 0 0"), number, "a frame of 1 x 1 to 16384 x 16384 px");
   expect_refusal(with("frame 0007 0006 3 0"), number, "cull 0, 1 or 2");
   expect_refusal(with("frame 0007 0006 0 9"), number, "depth 0 to 8");
 }
@@ -192,12 +202,33 @@ TEST_F(Refusal, ClearDepthThatIsNone) {
   expect_refusal(with("clear_depth 000000 1"), number, "a code less than the greatest");
   expect_refusal(with("clear_depth 00000"), number, "6 hex digits of clear_depth, got '00000'");
   expect_refusal(with("clear_depth"), number, "clear_depth");
-  expect_refusal(with("clear_depth 000000"), 8, "the hash");  // valid, so the hash is refused
+  expect_refusal(with("clear_depth 000000"), content_line() + 1, "the hash");  // valid but for that
 }
 
-TEST_F(Refusal, FrameTooLargeForMemory) {
-  expect_refusal(refusal<FrameCase>(changed(frame_, "0007 0006", "4000 4000")),
-                 line_of(frame_, "\nframe") + 1, "at most 65536 samples, got 268435456");
+// The line follows the frame's; ports that do not stall have none.
+TEST_F(Refusal, StallsThatAreNone) {
+  const int number = line_of(setup_, "\nframe") + 2;
+  const std::string frame = line(setup_, number - 1);
+  const auto with = [&](const char* text) {
+    return refusal<SetupCase>(changed(setup_, frame + "\n", frame + "\n" + text + "\n"));
+  };
+  const char* expected = "'stalls', source, sink or both, and a seed";
+  expect_refusal(with("stalls none 0000000000000000"), number, expected);
+  expect_refusal(with("stalls all 0000000000000000"), number, expected);
+  expect_refusal(with("stalls sink"), number, expected);
+  expect_refusal(with("stalls sink 12"), number, "16 hex digits of stalls, got '12'");
+  expect_refusal(with("stalls sink 0000000000000000"), content_line() + 1, "the hash");
+}
+
+TEST_F(Refusal, ResetThatIsNone) {
+  const int number = line_of(frame_, "\ncounters") + 1;
+  const auto with = [&](const char* text) {
+    return refusal<FrameCase>(
+        changed(frame_, "\ncounters ", std::string("\n") + text + "\ncounters "));
+  };
+  expect_refusal(with("reset"), number, "reset");
+  expect_refusal(with("reset soon"), number, "a decimal number for reset, got 'soon'");
+  expect_refusal(with("reset 9 9"), number, "'reset' and a cycle");
 }
 
 TEST_F(Refusal, StampOutsideTheFrame) {
@@ -209,15 +240,20 @@ TEST_F(Refusal, StampOutsideTheFrame) {
   }
 }
 
-TEST_F(Refusal, RowOfAFrameMissingOrShort) {
-  const size_t at = frame_.find("\nhits");
-  const size_t next = frame_.find('\n', at + 1);
-  std::string missing = frame_;
-  missing.erase(at, next - at);
-  expect_refusal(refusal<FrameCase>(missing), line_of(frame_, "\nend"), "'hits' and 7 samples");
-  std::string short_row = frame_;
-  short_row.erase(next - 5, 5);
-  expect_refusal(refusal<FrameCase>(short_row), line_of(frame_, "\nhits") + 1, "7 samples");
+TEST_F(Refusal, SampleOfNoFrame) {
+  const int number = line_of(frame_, "\nsample ") + 1;
+  const std::string first = line(frame_, number), second = line(frame_, number + 1);
+  const auto with = [&](const std::string& text) {
+    return refusal<FrameCase>(changed(frame_, first + "\n", text + "\n"));
+  };
+  const std::string behind_place = first.substr(std::string("sample 0000 0000").size());
+  expect_refusal(with("sample 0007 0000" + behind_place), number, "samples of the frame");
+  expect_refusal(with("sample 0000 0006" + behind_place), number, "samples of the frame");
+  expect_refusal(with(first + "\n" + first), number + 1, "samples of the frame, row by row");
+  expect_refusal(with(first + " 0"), number, "5 columns of sample");
+  expect_refusal(with(first.substr(0, first.size() - 5)), number, "sample hits");
+  expect_refusal(with("sample 0000 0000 ffffff 00 0001"), number,
+                 "8 hex digits of sample color, got '00'");
 }
 
 TEST(RefusalOfAPath, FileThatDoesNotExist) {

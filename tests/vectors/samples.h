@@ -1,11 +1,13 @@
 // Small cases of each unit, made in memory.
 #pragma once
 
+#include "model/spec/bounds.h"
 #include "vectors/grammar/file.h"
 
 namespace pineda::vectors {
 
 inline const spec::Contract kContract = spec::contract(spec::kHighTile);
+inline const spec::ErrorBounds kBounds = spec::error_bounds(spec::kHighTile);
 
 // Two triangles that overlap in one tile, the second nearer, and one without area.
 inline std::vector<spec::Triangle> sample_triangles() {
@@ -24,21 +26,23 @@ Case sample_case();
 
 template <>
 inline SetupCase sample_case() {
-  return run_model(kContract, SetupCase{"sample.0", sample_frame(), sample_triangles(), {}, {}});
+  return run_model(kContract,
+                   SetupCase{"sample.0", sample_frame(), sample_triangles(), {}, {}, {}});
 }
 template <>
 inline TraversalCase sample_case() {
   const auto prims = sample_case<SetupCase>().out;
-  return run_model(kContract, TraversalCase{"sample.0", sample_frame(), prims, {}});
+  return run_model(kContract, TraversalCase{"sample.0", sample_frame(), prims, {}, {}});
 }
 template <>
 inline InterpZtestCase sample_case() {
   const auto stamps = sample_case<TraversalCase>().out;
-  return run_model(kContract, InterpZtestCase{"sample.0", sample_frame(), stamps, {}, {}});
+  return run_model(kContract, InterpZtestCase{"sample.0", sample_frame(), stamps, {}, {}, {}});
 }
 template <>
 inline FrameCase sample_case() {
-  return run_model(kContract, FrameCase{"sample.0", sample_frame(), sample_triangles(), {}, {}});
+  return run_model(kContract,
+                   FrameCase{"sample.0", sample_frame(), sample_triangles(), {}, {}, {}, {}});
 }
 
 template <class Case>

@@ -1,24 +1,28 @@
 #include "vectors/generator/generate.h"
 
+#include <type_traits>
+#include <utility>
+
 #include "model/spec/package.h"
 #include "model/spec/random.h"
+#include "vectors/coverage/coverage.h"
 
 namespace pineda::vectors {
 namespace {
 
 using spec::Contract;
 
-// Limits that keep the committed files small; a larger scene is used for the other units only.
+// Limits that keep files small; a larger scene is used for the other units only.
 constexpr size_t kMaxStamps = 80;
-constexpr int64_t kMaxFrameCaseSamples = 512;
+constexpr uint64_t kMaxFragments = 1024;  // of a frame, hidden ones too
 constexpr int64_t kMaxBoxTiles = 65536;
+
+constexpr int kMaxAttempts = 1 << 17;
 
 enum class Fit { kTaken, kEmpty, kLarge };
 
-int64_t samples(const spec::FrameState& frame) { return int64_t{frame.width} * frame.height; }
-
 std::vector<spec::SetupPrim> prims(const Contract& c, const Scene& scene) {
-  return run_model(c, SetupCase{scene.name, scene.frame, scene.triangles, {}, {}}).out;
+  return run_model(c, SetupCase{scene.name, scene.frame, scene.triangles, {}, {}, {}}).out;
 }
 
 // Tiles of all boxes: how long a traversal can take.
@@ -33,31 +37,47 @@ int64_t box_tiles(const Contract& c, const std::vector<spec::SetupPrim>& all) {
 }
 
 Fit make_case(const Contract& c, const Scene& scene, SetupCase* result) {
-  *result = run_model(c, SetupCase{scene.name, scene.frame, scene.triangles, {}, {}});
+  *result = run_model(c, SetupCase{scene.name, scene.frame, scene.triangles, {}, {}, scene.ports});
   return Fit::kTaken;
 }
 
 Fit make_case(const Contract& c, const Scene& scene, TraversalCase* result) {
-  TraversalCase inputs{scene.name, scene.frame, prims(c, scene), {}};
-  if (inputs.in.empty()) return Fit::kEmpty;
-  if (box_tiles(c, inputs.in) > kMaxBoxTiles) return Fit::kLarge;
-  *result = run_model(c, inputs);
+  *result = {scene.name, scene.frame, prims(c, scene), {}, scene.ports};
+  if (result->in.empty()) return Fit::kEmpty;
+  if (box_tiles(c, result->in) > kMaxBoxTiles) return Fit::kLarge;
+  for (const spec::SetupPrim& prim : result->in) {
+    core::for_each_stamp(c, prim, [&](const spec::Stamp& stamp) {
+      if (result->out.size() <= kMaxStamps) result->out.push_back(stamp);
+    });
+  }
   return result->out.size() <= kMaxStamps ? Fit::kTaken : Fit::kLarge;
 }
 
 Fit make_case(const Contract& c, const Scene& scene, InterpZtestCase* result) {
-  if (samples(scene.frame) > kMaxFrameSamples) return Fit::kLarge;
   TraversalCase traversal;
   const Fit fit = make_case(c, scene, &traversal);
   if (fit != Fit::kTaken) return fit;
   if (traversal.out.empty()) return Fit::kEmpty;
-  *result = run_model(c, InterpZtestCase{scene.name, scene.frame, traversal.out, {}, {}});
+  *result =
+      run_model(c, InterpZtestCase{scene.name, scene.frame, traversal.out, {}, {}, scene.ports});
   return Fit::kTaken;
 }
 
 Fit make_case(const Contract& c, const Scene& scene, FrameCase* result) {
-  if (samples(scene.frame) > kMaxFrameCaseSamples) return Fit::kLarge;
-  *result = run_model(c, FrameCase{scene.name, scene.frame, scene.triangles, {}, {}});
+  FrameCase inputs;
+  inputs.name = scene.name;
+  inputs.frame = scene.frame;
+  inputs.in = scene.triangles;
+  inputs.ports = scene.ports;
+  inputs.reset_cycle = scene.reset_cycle;
+  const std::vector<spec::SetupPrim> drawn = prims(c, scene);
+  if (box_tiles(c, drawn) > kMaxBoxTiles) return Fit::kLarge;
+  core::FrameCounters counted;
+  for (const spec::SetupPrim& prim : drawn) {
+    core::for_each_stamp(c, prim, {}, &counted, [](const spec::Stamp&) {});
+  }
+  if (counted.fragments > kMaxFragments) return Fit::kLarge;
+  *result = run_model(c, inputs);
   return Fit::kTaken;
 }
 
@@ -92,65 +112,144 @@ InterpZtestCase raw_stamps(const Contract& c, uint64_t seed, int index) {
   return run_model(c, inputs);
 }
 
-void add_raw(uint64_t seed, File<InterpZtestCase>* file) {
-  // These stamps have no edges, hence no weights for perspective.
-  if (file->contract.design.perspective) return;
-  const int count = file->level == 1 ? 8 : 64;
-  for (int i = 0; i < count; ++i) file->cases.push_back(raw_stamps(file->contract, seed, i));
-}
 template <class Case>
-void add_raw(uint64_t, File<Case>*) {}
+void for_each_raw(const Contract& contract, const Request& request,
+                  const std::function<void(const Case&)>& visit) {
+  if constexpr (std::is_same_v<Case, InterpZtestCase>) {
+    // These stamps have no edges, hence no weights for perspective.
+    if (contract.design.perspective) return;
+    const int count = request.level == 1 ? 8 : 64;
+    for (int i = 0; i < count; ++i) visit(raw_stamps(contract, request.seed, i));
+  }
+}
+
+// Makes cases of scenes.
+template <class Case>
+struct Maker {
+  const Contract& contract;
+  const spec::ErrorBounds& bounds;
+  const std::function<void(const Case&)>& visit;
+  Tally tally = {};
+
+  // A case of the scene that fits, or nothing.
+  std::optional<Case> made(const Scene& scene) {
+    Case value;
+    const Fit fit = make_case(contract, scene, &value);
+    tally.empty += fit == Fit::kEmpty ? 1 : 0;
+    tally.large += fit == Fit::kLarge ? 1 : 0;
+    return fit == Fit::kTaken ? std::optional<Case>(std::move(value)) : std::nullopt;
+  }
+  void take(const Case& value) {
+    visit(value);
+    ++tally.cases;
+  }
+  void take_judged(const Scene& scene, const Case& value) {
+    if (const auto text = misjudged(contract, scene, bounds)) throw Misjudged(*text);
+    take(value);
+  }
+
+  // The level's scenes and those that follow, up to a number of cases.
+  void count(const Request& request) {
+    const auto wants_more = [&] { return tally.cases < *request.count; };
+    const auto take_scene = [&](const Scene& scene) {
+      if (const auto value = made(scene)) take_judged(scene, *value);
+      return wants_more();
+    };
+    for_each_scene(contract, request.level, request.seed, take_scene);
+    if (wants_more()) for_each_further_scene(contract, request.seed, take_scene);
+  }
+
+  // The level, then scenes that hit a bin of the coverage which is left, until none is or they are found
+  // no more.
+  void cover(const Request& request) {
+    Coverage coverage(Case::kUnit, contract);
+    for_each_scene(contract, request.level, request.seed, [&](const Scene& scene) {
+      const auto value = made(scene);
+      if (!value) return true;
+      coverage.see(*value);
+      take_judged(scene, *value);
+      return true;
+    });
+    for_each_raw<Case>(contract, request, [&](const Case& value) {
+      coverage.see(value);
+      take(value);
+    });
+    const Tally level = tally;
+    const size_t bins = coverage.bins();
+    if (coverage.hit() == bins) return;
+    int attempts = 0;
+    for_each_further_scene(contract, request.seed, [&](const Scene& scene) {
+      const size_t before = coverage.hit();
+      const auto value = made(scene);
+      if (value) coverage.see(*value);
+      if (coverage.hit() > before) take_judged(scene, *value);
+      return coverage.hit() < bins && ++attempts < kMaxAttempts;
+    });
+    tally.empty = level.empty;
+    tally.large = level.large;
+    tally.missed = bins - coverage.hit();
+  }
+};
 
 template <class Case>
-Tally generate_one(const Contract& contract, int level, uint64_t seed,
-                   const spec::ErrorBounds& bounds, const std::string& path) {
-  Tally tally;
-  write(path, generate<Case>(contract, level, seed, bounds, &tally));
+Tally write_cases(const Contract& contract, const Request& request, const spec::ErrorBounds& bounds,
+                  const std::string& path) {
+  WholeFile whole(path);
+  Writer<Case> writer({Case::kUnit, contract, request.level, request.seed}, whole.stream());
+  const Tally tally = for_each_case<Case>(contract, request, bounds,
+                                          [&](const Case& value) { writer.write(value); });
+  writer.end();
+  whole.keep();
   return tally;
 }
 
 }  // namespace
 
 template <class Case>
-File<Case> generate(const Contract& contract, int level, uint64_t seed,
-                    const spec::ErrorBounds& bounds, Tally* tally) {
-  File<Case> file{contract, level, seed, {}};
-  Tally count;
-  for (const Scene& scene : scenes(contract, level, seed)) {
-    Case made;
-    const Fit fit = make_case(contract, scene, &made);
-    count.empty += fit == Fit::kEmpty ? 1 : 0;
-    count.large += fit == Fit::kLarge ? 1 : 0;
-    if (fit != Fit::kTaken) continue;
-    if (const auto text = misjudged(contract, scene, bounds)) throw Misjudged(*text);
-    file.cases.push_back(std::move(made));
+Tally for_each_case(const Contract& contract, const Request& request,
+                    const spec::ErrorBounds& bounds,
+                    const std::function<void(const Case&)>& visit) {
+  Maker<Case> maker{contract, bounds, visit};
+  if (request.count) {
+    maker.count(request);
+  } else {
+    maker.cover(request);
   }
-  add_raw(seed, &file);
-  count.cases = file.cases.size();
-  if (tally != nullptr) *tally = count;
+  return maker.tally;
+}
+
+template <class Case>
+File<Case> generate(const Contract& contract, const Request& request,
+                    const spec::ErrorBounds& bounds) {
+  File<Case> file{contract, request.level, request.seed, {}};
+  for_each_case<Case>(contract, request, bounds,
+                      [&](const Case& value) { file.cases.push_back(value); });
   return file;
 }
 
-template File<SetupCase> generate(const Contract&, int, uint64_t, const spec::ErrorBounds&, Tally*);
-template File<TraversalCase> generate(const Contract&, int, uint64_t, const spec::ErrorBounds&,
-                                      Tally*);
-template File<InterpZtestCase> generate(const Contract&, int, uint64_t, const spec::ErrorBounds&,
-                                        Tally*);
-template File<FrameCase> generate(const Contract&, int, uint64_t, const spec::ErrorBounds&, Tally*);
+#define PINEDA_INSTANTIATE(Case)                                                          \
+  template Tally for_each_case(const Contract&, const Request&, const spec::ErrorBounds&, \
+                               const std::function<void(const Case&)>&);                  \
+  template File<Case> generate(const Contract&, const Request&, const spec::ErrorBounds&);
+PINEDA_INSTANTIATE(SetupCase)
+PINEDA_INSTANTIATE(TraversalCase)
+PINEDA_INSTANTIATE(InterpZtestCase)
+PINEDA_INSTANTIATE(FrameCase)
+#undef PINEDA_INSTANTIATE
 
-Tally generate_file(Unit unit, const Contract& contract, int level, uint64_t seed,
+Tally generate_file(Unit unit, const Contract& contract, const Request& request,
                     const spec::ErrorBounds& bounds, const std::string& path) {
   switch (unit) {
     case Unit::kSetup:
-      return generate_one<SetupCase>(contract, level, seed, bounds, path);
+      return write_cases<SetupCase>(contract, request, bounds, path);
     case Unit::kTraversal:
-      return generate_one<TraversalCase>(contract, level, seed, bounds, path);
+      return write_cases<TraversalCase>(contract, request, bounds, path);
     case Unit::kInterpZtest:
-      return generate_one<InterpZtestCase>(contract, level, seed, bounds, path);
+      return write_cases<InterpZtestCase>(contract, request, bounds, path);
     case Unit::kFrame:
       break;
   }
-  return generate_one<FrameCase>(contract, level, seed, bounds, path);
+  return write_cases<FrameCase>(contract, request, bounds, path);
 }
 
 }  // namespace pineda::vectors

@@ -137,7 +137,7 @@ class Hearing {
     judge::Comparison comparison(judge::values_of(c_.design), &verdict);
     comparison.begin(truth, bounds_, triangle_.id);
     std::vector<int64_t> seen;
-    for (const spec::Stamp& stamp : run_model(c_, TraversalCase{"", frame_, {prim_}, {}}).out) {
+    for (const spec::Stamp& stamp : run_model(c_, TraversalCase{"", frame_, {prim_}, {}, {}}).out) {
       seen.push_back((int64_t{stamp.y} << 32) + stamp.x);
       spec::Fragment fragment;
       core::interpolate(c_, stamp, &fragment);

@@ -1,4 +1,6 @@
 // Random triangles by size, in every raster state.
+#include <algorithm>
+
 #include "vectors/generator/draw.h"
 
 namespace pineda::vectors {
@@ -28,9 +30,9 @@ void random_256px(Draw& d) { in_window(d, 4, 256); }
 void random_8192px(Draw& d) { in_window(d, 4, 8192); }
 void random_guard(Draw& d) { in_window(d, 5, 32768); }
 
-// Small triangles anywhere in the greatest frame: every bit of an address is used.
+// Small triangles anywhere in the greatest frame or a smaller one: every bit of an address is used.
 void random_anywhere(Draw& d) {
-  const int side = 1 << d.contract().design.guard_bits;
+  const int side = 1 << std::max(0, d.contract().design.guard_bits - d.index() % 4);
   d.frame(side, side);
   random_state(d);
   for (int i = 0; i < 4; ++i) {

@@ -45,22 +45,64 @@ void Draw::add_ordered(const std::array<Vertex, 3>& v) {
   for (Vertex& vertex : added) vertex.inverse_w_shift -= least;
 }
 
-std::vector<Scene> scenes(const spec::Contract& contract, int level, uint64_t seed) {
-  std::vector<Scene> all;
+namespace {
+
+// Every other scene has its ports stall, and every eighth frame is reset on the way.
+void disturb(spec::Random* random, int index, Scene* scene) {
+  if (index % 2 == 1) {
+    constexpr memory::StallMode kModes[] = {memory::StallMode::kSource, memory::StallMode::kSink,
+                                            memory::StallMode::kBoth};
+    scene->ports.mode = kModes[random->between(0, 2)];
+    scene->ports.seed = random->bits();
+  }
+  if (index % 8 == 5) scene->reset_cycle = static_cast<uint64_t>(random->between(1, 200));
+}
+
+Scene drawn(const spec::Contract& contract, const SceneClass& kind, uint64_t seed, int index) {
+  spec::Random mix(seed ^ spec::text_hash(kind.name));
+  spec::Random scene_seed(mix.bits() + static_cast<uint64_t>(index));
+  Draw draw(contract, scene_seed.bits(), index);
+  kind.draw(draw);
+  Scene& scene = draw.scene();
+  scene.name = std::string(kind.name) + "." + std::to_string(index);
+  disturb(&scene_seed, index, &scene);
+  return scene;
+}
+
+int scenes_of(const SceneClass& kind, int level) {
+  return level == 1 ? kind.scenes : 8 * kind.scenes;
+}
+
+}  // namespace
+
+void for_each_scene(const spec::Contract& contract, int level, uint64_t seed,
+                    const std::function<bool(const Scene&)>& visit) {
   for (const auto& classes :
        {coverage_classes(), value_classes(), state_classes(), random_classes()}) {
     for (const SceneClass& kind : classes) {
-      const int count = level == 1 ? kind.scenes : 8 * kind.scenes;
-      for (int i = 0; i < count; ++i) {
-        spec::Random mix(seed ^ spec::text_hash(kind.name));
-        const uint64_t scene_seed = mix.bits() + static_cast<uint64_t>(i);
-        Draw draw(contract, spec::Random(scene_seed).bits(), i);
-        kind.draw(draw);
-        draw.scene().name = std::string(kind.name) + "." + std::to_string(i);
-        all.push_back(draw.scene());
+      for (int i = 0; i < scenes_of(kind, level); ++i) {
+        if (!visit(drawn(contract, kind, seed, i))) return;
       }
     }
   }
+}
+
+void for_each_further_scene(const spec::Contract& contract, uint64_t seed,
+                            const std::function<bool(const Scene&)>& visit) {
+  const std::vector<SceneClass> classes = any_classes();
+  for (int i = 0;; ++i) {
+    // A crowd is eight times as large.
+    const SceneClass& kind = classes[i % 8 == 7 ? 1 : 0];
+    if (!visit(drawn(contract, kind, seed, i))) return;
+  }
+}
+
+std::vector<Scene> scenes(const spec::Contract& contract, int level, uint64_t seed) {
+  std::vector<Scene> all;
+  for_each_scene(contract, level, seed, [&](const Scene& scene) {
+    all.push_back(scene);
+    return true;
+  });
   return all;
 }
 

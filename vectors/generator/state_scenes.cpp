@@ -32,6 +32,29 @@ void depth_function(Draw& d) {
   add_few_depths(d, 6);
 }
 
+// Each cull state with each function and write, on depths cleared to a code: some triangles lie within
+// a few codes of it, so that of a stamp some samples are nearer, equal and farther.
+void state(Draw& d) {
+  d.frame(8, 8);
+  spec::FrameState& f = d.scene().frame;
+  f.cull = static_cast<spec::Cull>(d.index() % 3);
+  f.depth = static_cast<DepthFunc>(d.index() / 3 % 9);
+  f.depth_write = d.index() / 27 % 2 == 0;
+  constexpr int64_t kCode = int64_t{1} << spec::kDepthInputFractionBits;
+  const int64_t code = d.far() / kCode / 3;
+  f.clear_depth = spec::depth_of_code(static_cast<uint32_t>(code), d.contract().design.depth_bits);
+  for (int i = 0; i < 4; ++i) {
+    const auto vertex = [&] {
+      Vertex v = d.vertex(d.point(0, 0, 8, 8));
+      const int64_t off = d.random().between(-2 * kCode, 2 * kCode);
+      v.z = std::max<int64_t>(code * kCode + off, 0);
+      return v;
+    };
+    d.add_shuffled({vertex(), vertex(), vertex()});
+  }
+  add_few_depths(d, 4);
+}
+
 // Borders through stamps and tiles, beyond the frame, an empty one.
 void scissor(Draw& d) {
   d.frame(20, 18);
@@ -88,14 +111,39 @@ void clear_depth(Draw& d) {
   add_few_depths(d, 4);
 }
 
+// Frames and scissors of every length in bits, wide or high: triangles hang over their far border, and
+// only there is a sample drawn.
+void far_border(Draw& d, bool by_scissor) {
+  const int lengths = d.contract().design.guard_bits + 1;
+  const int length = d.index() % lengths;  // bits below the first one
+  const int limit = 1 << d.contract().design.guard_bits;
+  const int far =
+      std::min((1 << length) + static_cast<int>(d.random().between(0, (1 << length) - 1)), limit);
+  const int low = static_cast<int>(d.random().between(1, 3));
+  const bool is_wide = d.index() / lengths % 2 == 0;
+  spec::FrameState& frame = d.scene().frame;
+  const int side = by_scissor ? std::min(2 * far, limit) : far;
+  d.frame(is_wide ? side : low, is_wide ? low : side);
+  if (by_scissor) {
+    (is_wide ? frame.scissor_x1 : frame.scissor_y1) = far;
+    (is_wide ? frame.scissor_x0 : frame.scissor_y0) = far - std::min(far, 5);
+  }
+  for (int i = 0; i < 4; ++i) {
+    const int border = by_scissor && i % 2 == 0 ? far - std::min(far, 5) : far;
+    const Point middle{is_wide ? border : low / 2, is_wide ? low / 2 : border};
+    d.add(figures::around(d, d.px() * middle, 3 * d.px()));
+  }
+}
+void frame_border(Draw& d) { far_border(d, false); }
+void scissor_border(Draw& d) { far_border(d, true); }
+
 }  // namespace
 
 std::vector<SceneClass> state_classes() {
-  return {{"depth_function", 18, depth_function},
-          {"scissor", 9, scissor},
-          {"depth_bias", 12, depth_bias},
-          {"flat_shading", 3, flat_shading},
-          {"clear_depth", 18, clear_depth}};
+  return {{"depth_function", 18, depth_function}, {"scissor", 9, scissor},
+          {"depth_bias", 12, depth_bias},         {"flat_shading", 3, flat_shading},
+          {"clear_depth", 18, clear_depth},       {"state", 54, state},
+          {"frame_border", 30, frame_border},     {"scissor_border", 30, scissor_border}};
 }
 
 }  // namespace pineda::vectors

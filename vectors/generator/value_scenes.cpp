@@ -139,6 +139,28 @@ void depth_off(Draw& d) {
     d.add({d.point(0, 0, 8, 8), d.point(0, 0, 8, 8), d.point(0, 0, 8, 8)});
 }
 
+// Samples in the middle of two vertices of equal 1/w whose attributes differ by an odd number: half-way
+// between two codes, where the last bit of a weight decides.
+void midpoint(Draw& d) {
+  d.frame(12, 12);
+  for (int i = 0; i < 6; ++i) {
+    const Point middle = d.any_center(3, 8);
+    const Point step = d.px() * Point{d.random().between(-2, 2), d.random().between(1, 3)};
+    std::array<Vertex, 3> v{d.vertex(middle + step), d.vertex(middle - step),
+                            d.vertex(d.point(0, 0, 12, 12))};
+    for (size_t k = 0; k < 3; ++k) {
+      v[k].inverse_w = v[0].inverse_w;
+      v[k].inverse_w_shift = v[0].inverse_w_shift;
+    }
+    for (size_t a = 0; a < static_cast<size_t>(d.contract().design.attributes); ++a) {
+      const int32_t low = d.random().between(0, d.full() - 1);
+      v[0].attr[a] = low;
+      v[1].attr[a] = low + 1 + 2 * d.random().between(0, (d.full() - low - 1) / 2);
+    }
+    d.add_shuffled(v);
+  }
+}
+
 }  // namespace
 
 std::vector<SceneClass> value_classes() {
@@ -150,6 +172,7 @@ std::vector<SceneClass> value_classes() {
           {"back_to_back", 6, back_to_back},
           {"alternating", 16, alternating},
           {"intersecting", 6, intersecting},
+          {"midpoint", 6, midpoint},
           {"depth_off", 3, depth_off}};
 }
 

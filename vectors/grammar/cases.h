@@ -2,11 +2,14 @@
 // The model's tests and the RTL's tests read the same files; README.md holds the grammar.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/core/frame.h"
+#include "model/memory/stalls.h"
 
 namespace pineda::vectors {
 
@@ -20,8 +23,13 @@ inline constexpr spec::Name<Unit> kUnitNames[] = {
 };
 constexpr const auto& names(Unit) { return kUnitNames; }
 
-/// Greatest frame whose memories a case may ask for (interp_ztest, frame).
-inline constexpr int64_t kMaxFrameSamples = 65536;
+/// When the ports of a case's unit stall.
+struct PortStalls {
+  memory::StallMode mode = memory::StallMode::kNone;
+  uint64_t seed = 0;
+
+  memory::Stalls stalls() const { return {mode, seed}; }
+};
 
 /// Triangles in; a SetupPrim or the cause of the drop out, in order.
 struct SetupCase {
@@ -31,6 +39,7 @@ struct SetupCase {
   std::vector<spec::Triangle> in;
   std::vector<core::Drop> drops;     // one for each triangle; kNone: it is in `out`
   std::vector<spec::SetupPrim> out;  // of the triangles that are not dropped
+  PortStalls ports = {};
 };
 
 /// SetupPrims in, the stamps of all of them out. No empty stamps.
@@ -40,6 +49,7 @@ struct TraversalCase {
   spec::FrameState frame;
   std::vector<spec::SetupPrim> in;
   std::vector<spec::Stamp> out;
+  PortStalls ports = {};
 };
 
 /// Stamps in, the writes of each stream out. The depth memory starts cleared as the frame says and
@@ -51,16 +61,30 @@ struct InterpZtestCase {
   std::vector<spec::Stamp> in;
   std::vector<spec::DepthWrite> depth;
   std::vector<spec::ColorWrite> color;
+  PortStalls ports = {};
 };
 
-/// Triangles in; the memories at the end of the frame and its counters out.
+/// A sample of the memories of a frame.
+struct Sample {
+  int x = 0;
+  int y = 0;
+  uint32_t depth = 0;  // code
+  std::array<uint16_t, spec::kMaxAttributes>
+      color{};        // interpolated attributes first, then flat ones
+  uint16_t hits = 0;  // as in core::FrameBuffer
+};
+
+/// Triangles in; what the memories hold at the end of the frame and its counters out.
 struct FrameCase {
   static constexpr Unit kUnit = Unit::kFrame;
   std::string name;
   spec::FrameState frame;
   std::vector<spec::Triangle> in;
-  core::FrameBuffer buffer;
+  std::vector<Sample> samples;  // that are not as cleared, row by row
   core::FrameCounters counters;
+  PortStalls ports = {};
+  std::optional<uint64_t> reset_cycle =
+      {};  // the same frame is begun before and reset in this cycle
 };
 
 /// A counter of a frame, as files and mismatch lines name it. What depends on time is not in files.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "model/spec/clear_depth.h"
 
@@ -11,6 +12,9 @@ namespace {
 
 constexpr int kCounterBits = 32;
 constexpr int kHitBits = 16;
+constexpr int kPlaceBits = 16;
+constexpr const char* kReset = "reset";
+constexpr const char* kSample = "sample";
 
 core::Drop read_drop(Lines* lines) {
   for (int i = 1; i < core::kDropCauses; ++i) {
@@ -33,14 +37,6 @@ std::vector<spec::Field<spec::FrameState>> fields_of_the_line(const spec::Contra
   return table;
 }
 
-void refuse_large(const Lines& lines, const spec::FrameState& frame) {
-  const int64_t samples = int64_t{frame.width} * frame.height;
-  if (samples <= kMaxFrameSamples) return;
-  lines.refuse_at(lines.number() - 1,
-                  fmt::format("a frame of at most {} samples", kMaxFrameSamples),
-                  fmt::format("{}", samples));
-}
-
 }  // namespace
 
 FrameCodec::FrameCodec(const spec::Contract& c) : contract_(c), row_(c, fields_of_the_line(c)) {}
@@ -58,10 +54,13 @@ spec::FrameState FrameCodec::read(Lines* lines) const {
   const int number = lines->number();
   const std::string line = lines->line();
   spec::FrameState frame = row_.read(lines);
-  const auto expect = [&](bool holds, const char* expected) {
+  const auto expect = [&](bool holds, const std::string& expected) {
     if (!holds) lines->refuse_at(number, expected, "'" + line + "'");
   };
-  expect(frame.width >= 1 && frame.height >= 1, "a frame of at least 1 x 1 px");
+  const int greatest = 1 << contract_.design.guard_bits;
+  expect(
+      frame.width >= 1 && frame.height >= 1 && frame.width <= greatest && frame.height <= greatest,
+      fmt::format("a frame of 1 x 1 to {0} x {0} px", greatest));
   expect(frame.cull <= spec::Cull::kFront, "cull 0, 1 or 2");
   expect(frame.depth <= spec::DepthFunc::kAlways, "depth 0 to 8");
   const spec::Design& d = contract_.design;
@@ -121,7 +120,6 @@ std::string Codec<InterpZtestCase>::write(const InterpZtestCase& value) const {
 }
 
 void Codec<InterpZtestCase>::read(Lines* lines, InterpZtestCase* value) const {
-  refuse_large(*lines, value->frame);
   while (lines->starts_with(stamp_.keyword())) {
     const int number = lines->number();
     value->in.push_back(stamp_.read(lines));
@@ -151,27 +149,38 @@ bool Codec<InterpZtestCase>::covers_frame(const spec::Stamp& stamp,
 std::string Codec<FrameCase>::columns() const {
   std::string text = triangle_.columns() + "columns counters";
   for (const auto& counter : counters()) text += fmt::format(" {}", counter.name);
-  return text +
-         "\ncolumns depth code of each sample of the row\n"
-         "columns color attributes of each sample of the row, the first attribute first\n"
-         "columns hits triangles that cover each sample of the row\n";
+  return text + fmt::format("\ncolumns {} x y depth color hits\n", kSample);
 }
 
 std::string Codec<FrameCase>::write(const FrameCase& value) const {
-  const spec::Design& d = contract_.design;
-  const core::FrameBuffer& b = value.buffer;
-  std::string text = triangle_.write_all(value.in) + "counters";
+  std::string text = triangle_.write_all(value.in);
+  if (value.reset_cycle) text += fmt::format("{} {}\n", kReset, *value.reset_cycle);
+  text += "counters";
   for (const auto& counter : counters()) {
     text += " " + hex(static_cast<int64_t>(counter.row->of(value.counters)), kCounterBits);
   }
-  return text + "\n" + write_rows("depth", b.depth, b.width, d.depth_bits, 1) +
-         write_rows("color", b.color, b.width, d.attribute_bits, b.channels) +
-         write_rows("hits", b.hits, b.width, kHitBits, 1);
+  text += "\n";
+  for (const Sample& s : value.samples) text += write_sample(s);
+  return text;
+}
+
+std::string Codec<FrameCase>::write_sample(const Sample& s) const {
+  const spec::Design& d = contract_.design;
+  std::string color;
+  for (size_t i = 0; i < static_cast<size_t>(spec::channels(d)); ++i) {
+    color += hex(s.color[i], d.attribute_bits);
+  }
+  return fmt::format("{} {} {} {} {} {}\n", kSample, hex(s.x, kPlaceBits), hex(s.y, kPlaceBits),
+                     hex(s.depth, d.depth_bits), color, hex(s.hits, kHitBits));
 }
 
 void Codec<FrameCase>::read(Lines* lines, FrameCase* value) const {
-  refuse_large(*lines, value->frame);
   value->in = triangle_.read_all(lines);
+  if (lines->starts_with(kReset)) {
+    value->reset_cycle = parse_decimal(*lines, lines->word(1, kReset), kReset);
+    if (lines->words() != 2) lines->refuse("'reset' and a cycle");
+    lines->next();
+  }
   if (!lines->starts_with("counters")) lines->refuse("'triangle' or 'counters'");
   size_t word = 0;
   for (const auto& counter : counters()) {
@@ -181,52 +190,43 @@ void Codec<FrameCase>::read(Lines* lines, FrameCase* value) const {
   }
   if (lines->words() != word + 1) lines->refuse(fmt::format("{} counters", word));
   lines->next();
-  const spec::Design& d = contract_.design;
-  core::FrameBuffer& b = value->buffer;
-  b = core::FrameBuffer(contract_, value->frame);
-  read_rows(lines, "depth", &b.depth, b.width, d.depth_bits, 1);
-  read_rows(lines, "color", &b.color, b.width, d.attribute_bits, b.channels);
-  read_rows(lines, "hits", &b.hits, b.width, kHitBits, 1);
-}
-
-template <class Value>
-std::string Codec<FrameCase>::write_rows(const char* keyword, const std::vector<Value>& memory,
-                                         int width, int bits, int per_sample) const {
-  std::string text;
-  const auto row = static_cast<size_t>(width) * static_cast<size_t>(per_sample);
-  for (size_t i = 0; i < memory.size(); ++i) {
-    if (i % row == 0) text += keyword;
-    if (i % static_cast<size_t>(per_sample) == 0) text += " ";
-    text += hex(memory[i], bits);
-    if (i % row == row - 1) text += "\n";
-  }
-  return text;
-}
-
-// Reads rows until the memory is full. A word holds the values of one sample.
-template <class Value>
-void Codec<FrameCase>::read_rows(Lines* lines, const char* keyword, std::vector<Value>* memory,
-                                 int width, int bits, int per_sample) const {
-  const size_t digits = static_cast<size_t>(bits + 3) / 4;
-  const auto values = static_cast<size_t>(per_sample);
-  size_t i = 0;
-  while (i < memory->size()) {
-    if (!lines->starts_with(keyword) || lines->words() != static_cast<size_t>(width) + 1) {
-      lines->refuse(fmt::format("'{}' and {} samples", keyword, width));
-    }
-    for (size_t x = 1; x < lines->words(); ++x) {
-      const std::string& word = lines->word(x, keyword);
-      if (word.size() != digits * values) {
-        lines->refuse(fmt::format("{} hex digits of {}", digits * values, keyword),
-                      "'" + word + "'");
-      }
-      for (size_t v = 0; v < values; ++v) {
-        (*memory)[i++] =
-            static_cast<Value>(parse_hex(*lines, word.substr(v * digits, digits), bits, keyword));
-      }
-    }
+  while (lines->starts_with(kSample)) {
+    const Sample sample = read_sample(*lines);
+    const bool is_inside = sample.x < value->frame.width && sample.y < value->frame.height;
+    const bool is_next =
+        value->samples.empty() ||
+        std::pair(value->samples.back().y, value->samples.back().x) < std::pair(sample.y, sample.x);
+    if (!is_inside || !is_next) lines->refuse("samples of the frame, row by row");
+    value->samples.push_back(sample);
     lines->next();
   }
+}
+
+// Of the current line.
+Sample Codec<FrameCase>::read_sample(const Lines& lines) const {
+  const spec::Design& d = contract_.design;
+  size_t word = 0;
+  const auto number = [&](const char* what, int bits) {
+    return parse_hex(lines, lines.word(++word, what), bits, what);
+  };
+  Sample sample;
+  sample.x = static_cast<int>(number("sample x", kPlaceBits));
+  sample.y = static_cast<int>(number("sample y", kPlaceBits));
+  sample.depth = static_cast<uint32_t>(number("sample depth", d.depth_bits));
+  const std::string color = lines.word(++word, "sample color");
+  const auto channels = static_cast<size_t>(spec::channels(d));
+  const size_t digits = static_cast<size_t>(d.attribute_bits + 3) / 4;
+  if (color.size() != channels * digits) {
+    lines.refuse(fmt::format("{} hex digits of sample color", channels * digits),
+                 "'" + color + "'");
+  }
+  for (size_t i = 0; i < channels; ++i) {
+    sample.color[i] = static_cast<uint16_t>(
+        parse_hex(lines, color.substr(i * digits, digits), d.attribute_bits, "sample color"));
+  }
+  sample.hits = static_cast<uint16_t>(number("sample hits", kHitBits));
+  if (lines.words() != word + 1) lines.refuse(fmt::format("{} columns of sample", word));
+  return sample;
 }
 
 }  // namespace pineda::vectors

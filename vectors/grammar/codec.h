@@ -80,12 +80,8 @@ class Codec<FrameCase> {
   void read(Lines* lines, FrameCase* value) const;
 
  private:
-  template <class Value>
-  std::string write_rows(const char* keyword, const std::vector<Value>& memory, int width, int bits,
-                         int per_sample) const;
-  template <class Value>
-  void read_rows(Lines* lines, const char* keyword, std::vector<Value>* memory, int width, int bits,
-                 int per_sample) const;
+  std::string write_sample(const Sample& sample) const;
+  Sample read_sample(const Lines& lines) const;
 
   spec::Contract contract_;
   Row<spec::Triangle> triangle_;

@@ -5,27 +5,33 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "model/spec/design_file.h"
 #include "model/spec/package.h"
-#include "vectors/grammar/codec.h"
 
 namespace pineda::vectors {
 namespace {
 
-constexpr const char* kMagic = "pineda-vectors 1";
+constexpr const char* kMagic = "pineda-vectors 2";
 constexpr const char* kParameter = "parameter";
+constexpr const char* kCases = "cases";
+constexpr const char* kStalls = "stalls";
+constexpr int kSeedBits = 64;
 constexpr int kHashBits = 64;
 
 std::string hash_text(uint64_t hash) { return hex(static_cast<int64_t>(hash), kHashBits); }
 
-std::string load(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream) throw Refused(path + ": expected a vector file, got none that can be read");
-  return text;
+std::unique_ptr<std::istream> open(const std::string& path) {
+  auto stream = std::make_unique<std::ifstream>(path, std::ios::binary);
+  if (!*stream || stream->peek() == std::ifstream::traits_type::eof()) {
+    // A folder opens, and cannot be read.
+    if (!std::filesystem::is_regular_file(path)) {
+      throw Refused(path + ": expected a vector file, got none that can be read");
+    }
+    stream->clear();
+  }
+  return stream;
 }
 
 // The value of the current line, which must be "KEYWORD VALUE".
@@ -81,8 +87,8 @@ spec::Design read_design(Lines* lines) {
   }
 }
 
-// The header's first lines; the last one read is `seed`.
-Header read_identity(Lines* lines) {
+// The last line read is `formats`.
+Header header_of(Lines* lines) {
   if (!lines->next() || lines->line() != kMagic) {
     lines->refuse(fmt::format("'{}'", kMagic));
   }
@@ -94,19 +100,32 @@ Header read_identity(Lines* lines) {
   header.contract = spec::contract(read_design(lines));
   header.level = static_cast<int>(parse_decimal(*lines, value(*lines, "level"), "level"));
   header.seed = parse_decimal(*lines, next_value(lines, "seed"), "seed");
+  const std::string formats = next_value(lines, "formats");
+  const std::string present = hash_text(spec::formats_hash(header.contract));
+  if (formats != present) {
+    lines->refuse(fmt::format("the formats {} of the present design {}; generate the file anew",
+                              present, header.contract.design.name),
+                  formats);
+  }
   return header;
 }
 
-// The formats' hash, then the count of cases.
-uint64_t read_count(Lines* lines, const spec::Contract& c) {
-  const std::string formats = next_value(lines, "formats");
-  const std::string present = hash_text(spec::formats_hash(c));
-  if (formats != present) {
-    lines->refuse(fmt::format("the formats {} of the present design {}; generate the file anew",
-                              present, c.design.name),
-                  formats);
+// "stalls MODE SEED", where ports stall.
+std::string stall_line(const PortStalls& ports) {
+  if (ports.mode == memory::StallMode::kNone) return "";
+  return fmt::format("{} {} {}\n", kStalls, spec::name_of(ports.mode),
+                     hex(static_cast<int64_t>(ports.seed), kSeedBits));
+}
+
+PortStalls read_stalls(Lines* lines) {
+  if (!lines->starts_with(kStalls)) return {};
+  const auto mode = spec::named<memory::StallMode>(lines->word(1, kStalls));
+  if (!mode || *mode == memory::StallMode::kNone || lines->words() != 3) {
+    lines->refuse("'stalls', source, sink or both, and a seed");
   }
-  return parse_decimal(*lines, next_value(lines, "cases"), "cases");
+  const PortStalls ports{*mode, parse_hex(*lines, lines->word(2, kStalls), kSeedBits, kStalls)};
+  lines->next();
+  return ports;
 }
 
 template <class Case>
@@ -116,6 +135,7 @@ Case read_case(Lines* lines, const FrameCodec& frame, const Codec<Case>& codec) 
   value.name = lines->word(1, "case");
   lines->next();
   value.frame = frame.read(lines);
+  value.ports = read_stalls(lines);
   codec.read(lines, &value);
   if (!lines->starts_with("end") || lines->words() != 1) {
     lines->refuse(fmt::format("'end' of case {}", value.name));
@@ -126,7 +146,7 @@ Case read_case(Lines* lines, const FrameCodec& frame, const Codec<Case>& codec) 
 
 // The lines that name the columns, which must be those of the present formats.
 void expect_columns(Lines* lines, const std::string& columns) {
-  Lines expected("", columns);
+  Lines expected("", std::make_unique<std::istringstream>(columns));
   while (expected.next()) {
     if (!lines->next() || lines->line() != expected.line()) {
       lines->refuse("'" + expected.line() + "'");
@@ -137,86 +157,155 @@ void expect_columns(Lines* lines, const std::string& columns) {
 }  // namespace
 
 Header read_header(const std::string& path) {
-  Lines lines(path, load(path));
-  Header header = read_identity(&lines);
-  header.cases = read_count(&lines, header.contract);
-  return header;
+  Lines lines(path, open(path));
+  return header_of(&lines);
 }
 
 template <class Case>
-File<Case> read_text(const std::string& path, const std::string& text) {
-  Lines lines(path, text);
-  const Header header = read_identity(&lines);
+Reader<Case>::Reader(const std::string& path) : Reader(path, open(path)) {}
+
+template <class Case>
+Reader<Case>::Reader(const std::string& path, std::unique_ptr<std::istream> stream)
+    : lines_(path, std::move(stream)),
+      header_(header_of(&lines_)),
+      frame_(header_.contract),
+      codec_(header_.contract) {
   constexpr int kUnitLine = 2;
-  if (header.unit != Case::kUnit) {
-    lines.refuse_at(kUnitLine, fmt::format("the unit {}", spec::name_of(Case::kUnit)),
-                    spec::name_of(header.unit));
+  if (header_.unit != Case::kUnit) {
+    lines_.refuse_at(kUnitLine, fmt::format("the unit {}", spec::name_of(Case::kUnit)),
+                     spec::name_of(header_.unit));
   }
+  lines_.begin_content();
+  expect_columns(&lines_, frame_.columns() + codec_.columns());
+  lines_.next();
+}
+
+template <class Case>
+bool Reader<Case>::next(Case* value) {
+  if (lines_.starts_with(kCases)) {
+    end();
+    return false;
+  }
+  *value = read_case(&lines_, frame_, codec_);
+  ++cases_;
+  return true;
+}
+
+template <class Case>
+void Reader<Case>::end() {
+  const std::string content = hash_text(lines_.content_hash());
+  if (parse_decimal(lines_, value(lines_, kCases), kCases) != cases_) {
+    lines_.refuse(fmt::format("'{} {}', as the file holds", kCases, cases_));
+  }
+  if (next_value(&lines_, "content") != content) {
+    lines_.refuse(fmt::format("'content {}', the hash of the content", content));
+  }
+  if (lines_.next()) lines_.refuse("the end of the file");
+}
+
+template <class Case>
+Writer<Case>::Writer(const Header& header, std::ostream* stream)
+    : stream_(stream),
+      frame_(header.contract),
+      codec_(header.contract),
+      hash_(spec::text_hash("")) {
+  const std::string& name = header.contract.design.name;
+  if (name.empty() || name.find_first_of(" \t'") != std::string::npos) {
+    throw Refused(fmt::format("expected a design whose name is one word, got '{}'", name));
+  }
+  *stream_ << fmt::format("{}\nunit {}\n{}level {}\nseed {}\nformats {}\n", kMagic,
+                          spec::name_of(Case::kUnit), design_lines(header.contract.design),
+                          header.level, header.seed,
+                          hash_text(spec::formats_hash(header.contract)));
+  content(frame_.columns() + codec_.columns());
+}
+
+template <class Case>
+void Writer<Case>::content(const std::string& text) {
+  hash_ = spec::text_hash(text, hash_);
+  *stream_ << text;
+}
+
+template <class Case>
+void Writer<Case>::write(const Case& value) {
+  content(fmt::format("\ncase {}\n{}{}{}end\n", value.name, frame_.write(value.frame),
+                      stall_line(value.ports), codec_.write(value)));
+  ++cases_;
+}
+
+template <class Case>
+void Writer<Case>::end() {
+  content("\n");
+  *stream_ << fmt::format("{} {}\ncontent {}\n", kCases, cases_, hash_text(hash_));
+}
+
+WholeFile::WholeFile(const std::string& path)
+    : path_(path),
+      temporary_(path + ".part"),
+      unfinished_(temporary_),
+      stream_(temporary_, std::ios::binary) {
+  if (!stream_) throw Refused(path_ + ": expected a file that can be written");
+}
+
+WholeFile::~WholeFile() {
+  if (stream_.is_open()) std::remove(temporary_.c_str());
+}
+
+void WholeFile::keep() {
+  stream_.close();
+  std::error_code error;
+  if (stream_) std::filesystem::rename(temporary_, path_, error);
+  if (stream_ && !error) return;
+  std::remove(temporary_.c_str());
+  throw Refused(path_ + ": expected a file that can be written");
+}
+
+namespace {
+
+template <class Case>
+File<Case> read_all(Reader<Case> reader) {
+  const Header& header = reader.header();
   File<Case> file{header.contract, header.level, header.seed, {}};
-  const uint64_t count = read_count(&lines, file.contract);
-  const int count_line = lines.number();
-  const uint64_t hash = parse_hex(lines, next_value(&lines, "content"), kHashBits, "content");
-  const int hash_line = lines.number();
-  const uint64_t content = spec::text_hash(lines.rest());
-
-  const FrameCodec frame(file.contract);
-  const Codec<Case> codec(file.contract);
-  expect_columns(&lines, frame.columns() + codec.columns());
-  lines.next();
-  while (!lines.at_end()) file.cases.push_back(read_case(&lines, frame, codec));
-
-  // Checked last, so that a malformed line is reported as such.
-  if (file.cases.size() != count) {
-    lines.refuse_at(count_line, fmt::format("{} cases, as the file holds", file.cases.size()),
-                    fmt::format("{}", count));
-  }
-  if (content != hash) {
-    lines.refuse_at(hash_line, fmt::format("the hash {} of the content", hash_text(content)),
-                    hash_text(hash));
-  }
+  for (Case value; reader.next(&value); value = {}) file.cases.push_back(std::move(value));
   return file;
 }
 
 template <class Case>
+void write_all(const File<Case>& file, std::ostream* stream) {
+  Writer<Case> writer({Case::kUnit, file.contract, file.level, file.seed}, stream);
+  for (const Case& value : file.cases) writer.write(value);
+  writer.end();
+}
+
+}  // namespace
+
+template <class Case>
 File<Case> read(const std::string& path) {
-  return read_text<Case>(path, load(path));
+  return read_all(Reader<Case>(path));
+}
+
+template <class Case>
+File<Case> read_text(const std::string& path, const std::string& text) {
+  return read_all(Reader<Case>(path, std::make_unique<std::istringstream>(text)));
 }
 
 template <class Case>
 std::string write_text(const File<Case>& file) {
-  const FrameCodec frame(file.contract);
-  const Codec<Case> codec(file.contract);
-  std::string body = frame.columns() + codec.columns();
-  for (const Case& c : file.cases) {
-    body += fmt::format("\ncase {}\n{}{}end\n", c.name, frame.write(c.frame), codec.write(c));
-  }
-  return fmt::format("{}\nunit {}\n{}level {}\nseed {}\nformats {}\ncases {}\ncontent {}\n", kMagic,
-                     spec::name_of(Case::kUnit), design_lines(file.contract.design), file.level,
-                     file.seed, hash_text(spec::formats_hash(file.contract)), file.cases.size(),
-                     hash_text(spec::text_hash(body))) +
-         body;
+  std::ostringstream stream;
+  write_all(file, &stream);
+  return stream.str();
 }
 
 template <class Case>
 void write(const std::string& path, const File<Case>& file) {
-  const std::string name = file.contract.design.name;
-  if (name.empty() || name.find_first_of(" \t'") != std::string::npos) {
-    throw Refused(
-        fmt::format("{}: expected a design whose name is one word, got '{}'", path, name));
-  }
-  const std::string temporary = path + ".part";
-  std::ofstream stream(temporary, std::ios::binary);
-  stream << write_text(file);
-  stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(temporary, path, error);
-  if (!stream || error) {
-    std::remove(temporary.c_str());
-    throw Refused(path + ": expected a file that can be written");
-  }
+  WholeFile whole(path);
+  write_all(file, whole.stream());
+  whole.keep();
 }
 
 #define PINEDA_INSTANTIATE(Case)                                               \
+  template class Reader<Case>;                                                 \
+  template class Writer<Case>;                                                 \
   template File<Case> read<Case>(const std::string&);                          \
   template File<Case> read_text<Case>(const std::string&, const std::string&); \
   template std::string write_text<Case>(const File<Case>&);                    \

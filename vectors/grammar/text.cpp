@@ -5,20 +5,30 @@
 #include <algorithm>
 #include <charconv>
 
+#include "model/spec/package.h"
+
 namespace pineda::vectors {
 
+Lines::Lines(std::string path, std::unique_ptr<std::istream> stream)
+    : path_(std::move(path)), stream_(std::move(stream)), hash_(spec::text_hash("")) {}
+
+void Lines::begin_content() {
+  hash_ = spec::text_hash("");
+  line_.clear();
+  is_content_ = false;
+}
+
 bool Lines::next() {
+  words_.clear();
   do {
-    line_.clear();
-    words_.clear();
+    if (is_content_) hash_ = spec::text_hash(line_ + "\n", hash_);
+    is_content_ = true;
     ++number_;
-    if (position_ >= text_.size()) {
+    if (!std::getline(*stream_, line_)) {
+      line_.clear();
       at_end_ = true;
       return false;
     }
-    const size_t end = std::min(text_.find('\n', position_), text_.size());
-    line_ = text_.substr(position_, end - position_);
-    position_ = std::min(end + 1, text_.size());
   } while (line_.empty());
   for (size_t from = 0; from <= line_.size();) {
     const size_t end = std::min(line_.find(' ', from), line_.size());
@@ -47,23 +57,39 @@ const std::string& Lines::word(size_t i, const std::string& what) const {
   return words_[i];
 }
 
-std::string hex(int64_t value, int bits) {
+void append_hex(int64_t value, int bits, std::string* text) {
   const uint64_t code = static_cast<uint64_t>(value) & (~uint64_t{0} >> (64 - bits));
-  return fmt::format("{:0{}x}", code, (bits + 3) / 4);
+  for (int at = (bits + 3) / 4 * 4 - 4; at >= 0; at -= 4) {
+    text->push_back("0123456789abcdef"[code >> at & 15]);
+  }
+}
+
+std::string hex(int64_t value, int bits) {
+  std::string text;
+  append_hex(value, bits, &text);
+  return text;
+}
+
+std::optional<uint64_t> hex_value(const std::string& word, int bits) {
+  const auto digits = static_cast<size_t>(bits + 3) / 4;
+  uint64_t value = 0;
+  for (const char c : word) {
+    const bool is_digit = c >= '0' && c <= '9', is_letter = c >= 'a' && c <= 'f';
+    if (!is_digit && !is_letter) return std::nullopt;
+    value = value << 4 | static_cast<uint64_t>(is_digit ? c - '0' : c - 'a' + 10);
+  }
+  const bool fits = word.size() == digits && (bits == 64 || value >> bits == 0);
+  return fits ? std::optional(value) : std::nullopt;
 }
 
 uint64_t parse_hex(const Lines& lines, const std::string& word, int bits, const std::string& what) {
+  if (const auto value = hex_value(word, bits)) return *value;
   const auto digits = static_cast<size_t>(bits + 3) / 4;
   const bool plain = word.find_first_not_of("0123456789abcdef") == std::string::npos;
   if (word.size() != digits || !plain) {
     lines.refuse(fmt::format("{} hex digits of {}", digits, what), "'" + word + "'");
   }
-  uint64_t value = 0;
-  std::from_chars(word.data(), word.data() + word.size(), value, 16);
-  if (bits < 64 && value >> bits != 0) {
-    lines.refuse(fmt::format("a value of {} bits for {}", bits, what), "'" + word + "'");
-  }
-  return value;
+  lines.refuse(fmt::format("a value of {} bits for {}", bits, what), "'" + word + "'");
 }
 
 uint64_t parse_decimal(const Lines& lines, const std::string& word, const std::string& what) {

@@ -1,6 +1,9 @@
 // The first output in which two runs of a case differ.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "model/spec/difference.h"
 #include "vectors/grammar/cases.h"
 
@@ -33,22 +36,31 @@ Text drop_difference(const SetupCase& expected, const SetupCase& got) {
   return fmt::format("expected {} outcomes, got {}", expected.drops.size(), got.drops.size());
 }
 
-// One memory of the frame: `per_sample` values a sample, row-major.
-template <class Value>
-Text memory_difference(const FrameCase& c, const char* name, int bits, int per_sample,
-                       const char* unit, const std::vector<Value>& expected,
-                       const std::vector<Value>& got) {
-  if (expected.size() != got.size()) {
-    return fmt::format("{}: expected {} values, got {}", name, expected.size(), got.size());
-  }
-  for (size_t i = 0; i < expected.size(); ++i) {
-    if (expected[i] == got[i]) continue;
-    const int sample = static_cast<int>(i) / per_sample;
-    const std::string element =
-        per_sample > 1 ? fmt::format("[{}]", static_cast<int>(i) % per_sample) : "";
-    return spec::difference_text(fmt::format("sample ({}, {}): {}{}", sample % c.frame.width,
-                                             sample / c.frame.width, name, element),
-                                 bits, 0, unit, expected[i], got[i]);
+// The first sample that differs: one that is there on one side only, or one of its values.
+Text sample_difference(const spec::Design& d, const FrameCase& expected, const FrameCase& got) {
+  const auto place = [](const Sample& s) { return std::pair(s.y, s.x); };
+  for (size_t i = 0; i < std::max(expected.samples.size(), got.samples.size()); ++i) {
+    const bool is_missing =
+        i >= got.samples.size() ||
+        (i < expected.samples.size() && place(expected.samples[i]) < place(got.samples[i]));
+    const bool is_extra =
+        i >= expected.samples.size() ||
+        (i < got.samples.size() && place(got.samples[i]) < place(expected.samples[i]));
+    const Sample& at = is_extra ? got.samples[i] : expected.samples[i];
+    const std::string name = fmt::format("sample ({}, {}): ", at.x, at.y);
+    if (is_missing) return name + "expected to be drawn, got as cleared";
+    if (is_extra) return name + "expected as cleared, got drawn";
+    const Sample& a = expected.samples[i];
+    const Sample& b = got.samples[i];
+    if (a.depth != b.depth) {
+      return spec::difference_text(name + "depth", d.depth_bits, 0, "code", a.depth, b.depth);
+    }
+    for (size_t k = 0; k < a.color.size(); ++k) {
+      if (a.color[k] == b.color[k]) continue;
+      return spec::difference_text(fmt::format("{}color[{}]", name, k), d.attribute_bits, 0, "LSB",
+                                   a.color[k], b.color[k]);
+    }
+    if (a.hits != b.hits) return spec::difference_text(name + "hits", 16, 0, "", a.hits, b.hits);
   }
   return std::nullopt;
 }
@@ -85,18 +97,8 @@ std::optional<std::string> difference(const Contract& c, const InterpZtestCase& 
 
 std::optional<std::string> difference(const Contract& c, const FrameCase& expected,
                                       const FrameCase& got) {
-  const spec::Design& d = c.design;
-  const core::FrameBuffer& a = expected.buffer;
-  const core::FrameBuffer& b = got.buffer;
-  for (const Text& text :
-       {memory_difference(expected, "depth", d.depth_bits, 1, "code", a.depth, b.depth),
-        memory_difference(expected, "color", d.attribute_bits, d.attributes, "LSB", a.color,
-                          b.color),
-        memory_difference(expected, "hits", 16, 1, "", a.hits, b.hits),
-        counter_difference(expected, got)}) {
-    if (text) return named(expected, text);
-  }
-  return std::nullopt;
+  if (const Text text = sample_difference(c.design, expected, got)) return named(expected, text);
+  return named(expected, counter_difference(expected, got));
 }
 
 }  // namespace pineda::vectors

@@ -1,12 +1,14 @@
 // Cases run through the functional model.
-#include "vectors/grammar/cases.h"
+#include "vectors/runner/sparse_memories.h"
 
 namespace pineda::vectors {
 
 using spec::Contract;
 
 SetupCase run_model(const Contract& c, const SetupCase& inputs) {
-  SetupCase result{inputs.name, inputs.frame, inputs.in, {}, {}};
+  SetupCase result = inputs;
+  result.drops.clear();
+  result.out.clear();
   for (const auto& triangle : inputs.in) {
     spec::SetupPrim prim;
     result.drops.push_back(core::setup(c, inputs.frame, triangle, &prim));
@@ -16,7 +18,8 @@ SetupCase run_model(const Contract& c, const SetupCase& inputs) {
 }
 
 TraversalCase run_model(const Contract& c, const TraversalCase& inputs) {
-  TraversalCase result{inputs.name, inputs.frame, inputs.in, {}};
+  TraversalCase result = inputs;
+  result.out.clear();
   for (const auto& prim : inputs.in) {
     core::for_each_stamp(c, prim, [&](const spec::Stamp& stamp) { result.out.push_back(stamp); });
   }
@@ -24,29 +27,39 @@ TraversalCase run_model(const Contract& c, const TraversalCase& inputs) {
 }
 
 InterpZtestCase run_model(const Contract& c, const InterpZtestCase& inputs) {
-  InterpZtestCase result{inputs.name, inputs.frame, inputs.in, {}, {}};
-  const bool test = core::tests_depth(c, inputs.frame);
-  core::FrameBuffer memory(c, inputs.frame);
+  struct Writes : core::Sink {
+    explicit Writes(InterpZtestCase* into) : result(into) {}
+    void depth(const spec::DepthWrite& write) { result->depth.push_back(write); }
+    void color(const spec::ColorWrite& write) { result->color.push_back(write); }
+    InterpZtestCase* result;
+  };
+  InterpZtestCase result = inputs;
+  result.depth.clear();
+  result.color.clear();
+  SparseMemories memories(c, inputs.frame);
+  core::FrameCounters uncounted;
+  Writes writes(&result);
+  core::FrameWriter<SparseMemories, Writes> writer{c, inputs.frame, &memories, &uncounted, writes};
   for (const auto& stamp : inputs.in) {
     spec::Fragment fragment;
     core::interpolate(c, stamp, &fragment);
-    const auto stored = memory.read(c, stamp.x, stamp.y, stamp.mask);
-    const uint32_t passed =
-        core::depth_test(c, inputs.frame.depth, stamp.mask, fragment.z, stored.z);
-    if (passed == 0) continue;
-    if (test && inputs.frame.depth_write) {
-      result.depth.push_back(core::depth_write(c, stamp, fragment, passed));
-      memory.write(c, result.depth.back());
-    }
-    result.color.push_back(core::color_write(c, stamp, fragment, passed));
+    writer.fragment(stamp, fragment);
   }
   return result;
 }
 
 FrameCase run_model(const Contract& c, const FrameCase& inputs) {
-  core::Renderer renderer(c, inputs.frame);
-  for (const auto& triangle : inputs.in) renderer.draw(triangle);
-  return {inputs.name, inputs.frame, inputs.in, renderer.buffer(), renderer.counters()};
+  FrameCase result = inputs;
+  result.counters = {};
+  SparseMemories memories(c, inputs.frame);
+  core::Sink unseen;
+  for (const auto& triangle : inputs.in) {
+    core::draw_triangle(c, inputs.frame, {}, triangle, &result.counters,
+                        core::FrameWriter<SparseMemories, core::Sink>{c, inputs.frame, &memories,
+                                                                      &result.counters, unseen});
+  }
+  result.samples = memories.samples();
+  return result;
 }
 
 }  // namespace pineda::vectors

@@ -1,0 +1,206 @@
+// pineda vectors shrink: the smallest case that still fails.
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "cli/commands/vectors.h"
+#include "cli/models.h"
+#include "studies/vectors/benches.h"
+#include "tb/scoreboard.h"
+#include "vectors/runner/shrink.h"
+
+namespace pineda::cli {
+namespace {
+
+/// A shell's command with a file's name in it.
+class Command {
+ public:
+  Command(const std::string& command, const std::string& file) : command_(command) {
+    const size_t at = command_.find("{}");
+    if (at == std::string::npos) {
+      throw UsageError(
+          fmt::format("--run: expected a command with {{}} for the file, got '{}'", command));
+    }
+    std::string quoted = "'";
+    for (const char c : file) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    command_.replace(at, 2, quoted + "'");
+  }
+
+  /// Does it exit with anything but 0? Throws UsageError where it cannot be run.
+  bool fails() const {
+    constexpr int kNotExecutable = 126, kNotFound = 127;
+    const int status = std::system(command_.c_str());
+    if (WIFEXITED(status) &&
+        (WEXITSTATUS(status) == kNotExecutable || WEXITSTATUS(status) == kNotFound)) {
+      throw UsageError(fmt::format("--run: expected a command that runs, got '{}'", command_));
+    }
+    return status != 0;
+  }
+
+ private:
+  std::string command_;
+};
+
+std::string default_result(const std::string& file) {
+  const std::filesystem::path path(file);
+  return (path.parent_path() / (path.stem().string() + "_shrunk" + path.extension().string()))
+      .string();
+}
+
+/// What failed, and with which case.
+template <class Case>
+struct Failure {
+  Case value;
+  std::string what;
+};
+
+template <class Case>
+class Shrinking {
+ public:
+  Shrinking(const VectorOptions& options, const Output& output)
+      : options_(options),
+        output_(output),
+        progress_(options),
+        reader_(options.file),
+        contract_(reader_.header().contract),
+        result_(options.result.empty() ? default_result(options.file) : options.result) {}
+
+  int run() {
+    if (options_.command.empty()) {
+      library_ = std::make_unique<tb::RtlLibrary>(
+          contract_, [&](const std::string& text) { output_.say(text); });
+      runner_.emplace(*library_, bench_options(options_, contract_));
+    }
+    std::optional<Failure<Case>> failure = first_failure();
+    Json json = header_json(options_, reader_.header());
+    json["fails"] = failure.has_value();
+    if (!failure) {
+      progress_.clear();
+      output_.line("{}: no case fails", options_.file);
+      output_.json(json);
+      return kHolds;
+    }
+    const std::string kind = vectors::kind_of(failure->what);
+    const Case small = vectors::shrunk<Case>(contract_, failure->value, [&](const Case& candidate) {
+      progress_.update("trying", ++tried_);
+      const auto what = failure_of(candidate);
+      return what && vectors::kind_of(*what) == kind;
+    });
+    write(small, result_);
+    const std::string what = failure_of(small).value_or("");
+    progress_.clear();
+    output_.line("{}: case {}, {} of {} inputs, {}x{} px", result_, small.name, small.in.size(),
+                 failure->value.in.size(), small.frame.width, small.frame.height);
+    if (!what.empty()) output_.row("fails", what);
+    output_.row("tried", fmt::format("{} cases", grouped(tried_)));
+    json["case"] = small.name;
+    json["result"] = result_;
+    json["inputs"] = {{"before", failure->value.in.size()}, {"after", small.in.size()}};
+    json["frame"] = {{"width", small.frame.width}, {"height", small.frame.height}};
+    json["what"] = what;
+    json["tried"] = tried_;
+    look_closer(small, &json);
+    output_.json(json);
+    return kMismatch;
+  }
+
+ private:
+  std::optional<Failure<Case>> first_failure() {
+    for (Case c; reader_.next(&c);) {
+      progress_.update("looking", ++looked_);
+      if (const auto what = failure_of(c)) return Failure<Case>{c, *what};
+    }
+    return std::nullopt;
+  }
+
+  // What fails, or nothing. Of a command only that it does is known.
+  std::optional<std::string> failure_of(const Case& value) {
+    if (runner_) {
+      const memory::Stalls asked(stall_mode_of(options_), options_.seed);
+      return runner_->difference(value, asked.any() ? std::optional(asked) : std::nullopt);
+    }
+    const std::string file = result_ + ".trial";
+    const files::Unfinished trial(file);
+    write(value, file);
+    const bool fails = Command(options_.command, file).fails();
+    std::filesystem::remove(file);
+    return fails ? std::optional<std::string>("the command") : std::nullopt;
+  }
+
+  void write(const Case& value, const std::string& file) {
+    const vectors::Header& h = reader_.header();
+    vectors::write(file, vectors::File<Case>{h.contract, h.level, h.seed, {value}});
+  }
+
+  // Of a frame on our RTL: the first unit, field and cycle that differ, and a waveform around it.
+  void look_closer(const vectors::FrameCase& value, Json* json) {
+    if (!runner_) return;
+    const auto pull = [&value](size_t* next) {
+      return [&value, next](spec::Triangle* triangle) {
+        if (*next == value.in.size()) return false;
+        *triangle = value.in[(*next)++];
+        return true;
+      };
+    };
+    const auto bench_of = [&] {
+      tb::BenchOptions bench = bench_options(options_, contract_);
+      if (stall_mode_of(options_) == memory::StallMode::kNone) {
+        bench.stall_mode = value.ports.mode;
+        bench.seed = value.ports.seed;
+      }
+      return bench;
+    };
+    size_t expected = 0, fed = 0;
+    tb::Scoreboard scoreboard("RTL", contract_, value.frame, pull(&expected));
+    std::string first;
+    std::optional<tb::Cycle> cycle;
+    try {
+      tb::FrameBench bench(*library_, bench_of());
+      bench.run(value.frame, pull(&fed), &scoreboard);
+      scoreboard.finish();
+      first = scoreboard.first_divergence();
+    } catch (const tb::RtlError& error) {
+      first = error.what();
+    }
+    cycle = scoreboard.first_cycle();
+    if (!first.empty()) output_.row("first", first);
+    (*json)["first"] = first;
+    if (!cycle) return;
+    constexpr tb::Cycle kBefore = 40, kAfter = 8;
+    const tb::Cycle from = std::max<tb::Cycle>(*cycle - kBefore, 0);
+    const std::string waveform = std::filesystem::path(result_).replace_extension(".fst").string();
+    fed = 0;
+    {
+      tb::FrameBench bench(*library_, bench_of());
+      bench.run_close_up(value.frame, pull(&fed), nullptr,
+                         {from, *cycle, *cycle + kAfter, waveform});
+    }
+    output_.row("waveform",
+                fmt::format("{}, cycles {} to {}", waveform, from, *cycle + kAfter - 1));
+    (*json)["cycle"] = *cycle;
+    (*json)["waveform"] = {{"file", waveform}, {"from", from}, {"until", *cycle + kAfter}};
+  }
+  template <class Other>
+  void look_closer(const Other&, Json*) {}
+
+  const VectorOptions& options_;
+  const Output& output_;
+  Progress progress_;
+  vectors::Reader<Case> reader_;
+  spec::Contract contract_;
+  std::string result_;
+  std::unique_ptr<tb::RtlLibrary> library_;
+  std::optional<vectors::RtlRunner<Case>> runner_;  // none: the command
+  uint64_t looked_ = 0, tried_ = 0;
+};
+
+}  // namespace
+
+int shrink_vectors(const VectorOptions& options) {
+  const Output output(options);
+  return with_case(vectors::read_header(options.file).unit,
+                   [&](auto kind) { return Shrinking<decltype(kind)>(options, output).run(); });
+}
+
+}  // namespace pineda::cli
