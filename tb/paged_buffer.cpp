@@ -33,7 +33,7 @@ PagedBuffer::PagedBuffer(const spec::Contract& contract, const core::FrameBuffer
     for (int x = 0; x < width_; ++x) {
       Page* const page = made(x / kSide, y / kSide);
       const size_t from = buffer.index(x, y);
-      const auto to = static_cast<size_t>((y % kSide) * kSide + x % kSide);
+      const size_t to = place_of(x, y);
       page->depth[to] = buffer.depth[from];
       page->hits[to] = buffer.hits[from];
       std::copy_n(&buffer.color[from * channels], channels, &page->color[to * channels]);
@@ -42,9 +42,10 @@ PagedBuffer::PagedBuffer(const spec::Contract& contract, const core::FrameBuffer
 }
 
 PagedBuffer::Page* PagedBuffer::made(int column, int row) {
-  auto& page = pages_[static_cast<size_t>(row * columns_ + column)];
+  auto& page = pages_[static_cast<size_t>(row) * static_cast<size_t>(columns_) +
+                      static_cast<size_t>(column)];
   if (!page) {
-    constexpr auto kSamples = static_cast<size_t>(kSide * kSide);
+    constexpr size_t kSamples = size_t{kSide} * kSide;
     page = std::make_unique<Page>(
         Page{column * kSide, row * kSide, std::vector<uint32_t>(kSamples, cleared_to_),
              std::vector<uint16_t>(kSamples * static_cast<size_t>(channels_)),
@@ -92,7 +93,7 @@ core::FrameBuffer PagedBuffer::whole() const {
   for (const Page* page : pages()) {
     const auto columns = static_cast<size_t>(std::min(kSide, width_ - page->x));
     for (int row = 0; row < std::min(kSide, height_ - page->y); ++row) {
-      const auto from = static_cast<size_t>(row * kSide);
+      const size_t from = place_of(0, row);
       const size_t to = buffer.index(page->x, page->y + row);
       std::copy_n(&page->depth[from], columns, &buffer.depth[to]);
       std::copy_n(&page->hits[from], columns, &buffer.hits[to]);

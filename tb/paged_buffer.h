@@ -33,9 +33,8 @@ class PagedBuffer {
     const spec::Design& d = contract.design;
     const int left = x << d.stamp_width_log2, top = y << d.stamp_height_log2;
     Page* const page = page_of(contract, left, top, mask);
-    const int first = (top % kSide) * kSide + left % kSide;
     core::for_each_lane(d, mask, [&](size_t lane, int column, int row) {
-      visit(lane, page, static_cast<size_t>(first + row * kSide + column));
+      visit(lane, page, place_of(left + column, top + row));
     });
   }
 
@@ -53,6 +52,10 @@ class PagedBuffer {
   static constexpr int kSide = 64;
 
  private:
+  /// Of the sample at (x, y) px in its page.
+  static size_t place_of(int x, int y) {
+    return static_cast<size_t>(y % kSide) * kSide + static_cast<size_t>(x % kSide);
+  }
   Page* page_of(const spec::Contract& contract, int left, int top, uint32_t mask);
   Page* made(int column, int row);
 

@@ -169,7 +169,8 @@ class Shrinking {
     if (!cycle) return;
     constexpr tb::Cycle kBefore = 40, kAfter = 8;
     const tb::Cycle from = std::max<tb::Cycle>(*cycle - kBefore, 0);
-    const std::string waveform = std::filesystem::path(result_).replace_extension(".fst").string();
+    std::filesystem::path waveform_path{result_};
+    const std::string waveform = waveform_path.replace_extension(".fst").string();
     fed = 0;
     {
       tb::FrameBench bench(*library_, bench_of());

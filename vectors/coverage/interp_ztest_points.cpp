@@ -1,5 +1,6 @@
 // The coverage of interpolation and depth test, of ports, and of whole frames.
 #include <algorithm>
+#include <iterator>
 
 #include "model/core/perspective.h"
 #include "model/spec/clear_depth.h"
@@ -220,74 +221,73 @@ void see_hits(const SeenFrame& s, Hits* hits) {
   }
 }
 
+constexpr Point<SeenFragment> kFragmentPoints[] = {
+    {"depth_function", "depth function and write, by the samples of a stamp that pass",
+     [](const Contract& c) { return where(has_depth(c), functions(c)); }, see_function},
+    {"comparison", "depth function, by how a new depth compares with the stored one",
+     [](const Contract& c) { return where(has_depth(c), comparisons()); }, see_comparison},
+    {"state", "cull state, depth function and write of stamps",
+     [](const Contract& c) {
+       return where(has_depth(c), product(product(named({"cull none", "cull back", "cull front"}),
+                                                  depth_functions()),
+                                          named({"not written", "written"})));
+     },
+     see_state},
+    {"depth_code", "rounding and clamping of a depth",
+     [](const Contract& c) { return where(has_depth(c), roundings(depth_fraction(c)) + ranges()); },
+     see_depth_code},
+    {"attribute_rounding", "rounding of an attribute",
+     [](const Contract& c) { return where(is_affine(c), roundings(c.design.tile_fraction_bits)); },
+     see_attribute_rounding},
+    {"lane", "each lane passes, each fails",
+     [](const Contract& c) {
+       return where(has_depth(c), numbered(0, c.width.lanes - 1, "is a lane that passes") +
+                                      numbered(0, c.width.lanes - 1, "is a lane that fails"));
+     },
+     see_lanes},
+    {"hazard", "stamps from one to the next of the same address, while depth is written",
+     [](const Contract& c) {
+       return where(has_depth(c), numbered(1, greatest_distance(c), "stamps"));
+     },
+     see_distance},
+    {"address", "length in bits of a stamp's column and row",
+     [](const Contract& c) {
+       return product(named({"column"}), numbered(0, c.width.stamp_x, "bits")) +
+              product(named({"row"}), numbered(0, c.width.stamp_y, "bits"));
+     },
+     see_address},
+    {"written", "values at the ends of their formats", written, see_written},
+    {"cleared", "what depth is cleared to",
+     [](const Contract& c) {
+       return where(has_depth(c), named({"0", "between", "the greatest code"}));
+     },
+     see_cleared},
+    {"stamp_bias", "depth bias of a stamp",
+     [](const Contract& c) { return where(has_depth(c), signs()); },
+     [](const SeenFragment& s, Hits* hits) { hits->add(sign_bin(s.stamp.planes.z_bias)); }},
+    {"weight", "perspective: weights that are nothing or all",
+     [](const Contract& c) {
+       return where(has_weights(c),
+                    product(named({"nothing", "all"}), numbered(0, 2, "is the vertex")));
+     },
+     see_weights},
+    {"weighed", "perspective: rounding of an attribute",
+     [](const Contract& c) {
+       return where(has_weights(c),
+                    roundings(spec::kWeightFractionBits) + named({"other if weights are cut off"}));
+     },
+     see_weighed},
+    {"weight_entry", "perspective: entry of the reciprocal's table",
+     [](const Contract& c) { return where(has_weights(c), reciprocal_entries(c)); },
+     see_weight_entry},
+};
+
 }  // namespace
 
 template <>
 const std::vector<Point<SeenFragment>>& points<SeenFragment>() {
-  static const std::vector<Point<SeenFragment>> kPoints{
-      {"depth_function", "depth function and write, by the samples of a stamp that pass",
-       [](const Contract& c) { return where(has_depth(c), functions(c)); }, see_function},
-      {"comparison", "depth function, by how a new depth compares with the stored one",
-       [](const Contract& c) { return where(has_depth(c), comparisons()); }, see_comparison},
-      {"state", "cull state, depth function and write of stamps",
-       [](const Contract& c) {
-         return where(has_depth(c), product(product(named({"cull none", "cull back", "cull front"}),
-                                                    depth_functions()),
-                                            named({"not written", "written"})));
-       },
-       see_state},
-      {"depth_code", "rounding and clamping of a depth",
-       [](const Contract& c) {
-         return where(has_depth(c), roundings(depth_fraction(c)) + ranges());
-       },
-       see_depth_code},
-      {"attribute_rounding", "rounding of an attribute",
-       [](const Contract& c) {
-         return where(is_affine(c), roundings(c.design.tile_fraction_bits));
-       },
-       see_attribute_rounding},
-      {"lane", "each lane passes, each fails",
-       [](const Contract& c) {
-         return where(has_depth(c), numbered(0, c.width.lanes - 1, "is a lane that passes") +
-                                        numbered(0, c.width.lanes - 1, "is a lane that fails"));
-       },
-       see_lanes},
-      {"hazard", "stamps from one to the next of the same address, while depth is written",
-       [](const Contract& c) {
-         return where(has_depth(c), numbered(1, greatest_distance(c), "stamps"));
-       },
-       see_distance},
-      {"address", "length in bits of a stamp's column and row",
-       [](const Contract& c) {
-         return product(named({"column"}), numbered(0, c.width.stamp_x, "bits")) +
-                product(named({"row"}), numbered(0, c.width.stamp_y, "bits"));
-       },
-       see_address},
-      {"written", "values at the ends of their formats", written, see_written},
-      {"cleared", "what depth is cleared to",
-       [](const Contract& c) {
-         return where(has_depth(c), named({"0", "between", "the greatest code"}));
-       },
-       see_cleared},
-      {"stamp_bias", "depth bias of a stamp",
-       [](const Contract& c) { return where(has_depth(c), signs()); },
-       [](const SeenFragment& s, Hits* hits) { hits->add(sign_bin(s.stamp.planes.z_bias)); }},
-      {"weight", "perspective: weights that are nothing or all",
-       [](const Contract& c) {
-         return where(has_weights(c),
-                      product(named({"nothing", "all"}), numbered(0, 2, "is the vertex")));
-       },
-       see_weights},
-      {"weighed", "perspective: rounding of an attribute",
-       [](const Contract& c) {
-         return where(has_weights(c), roundings(spec::kWeightFractionBits) +
-                                          named({"other if weights are cut off"}));
-       },
-       see_weighed},
-      {"weight_entry", "perspective: entry of the reciprocal's table",
-       [](const Contract& c) { return where(has_weights(c), reciprocal_entries(c)); },
-       see_weight_entry},
-  };
+  static const std::vector<Point<SeenFragment>> kPoints(std::begin(kFragmentPoints),
+                                                        std::end(kFragmentPoints));
   return kPoints;
 }
 

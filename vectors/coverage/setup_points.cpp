@@ -1,6 +1,7 @@
 // The coverage of setup.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 #include "model/core/planes.h"
@@ -10,7 +11,6 @@
 
 namespace pineda::vectors {
 
-using core::Drop;
 using spec::Contract;
 
 SeenTriangle::SeenTriangle(const Contract& c, const spec::FrameState& f, const spec::Triangle& t)
@@ -372,151 +372,152 @@ void see_inverse_w(const SeenTriangle& s, Hits* hits) {
   }
 }
 
+constexpr Point<SeenTriangle> kTrianglePoints[] = {
+    {"drop", "why setup drops a triangle",
+     [](const Contract&) {
+       Bins bins;
+       for (const auto& row : core::kDropNames) bins.push_back({row.word, ""});
+       return bins;
+     },
+     [](const SeenTriangle& s, Hits* hits) { hits->add(static_cast<size_t>(s.drop)); }},
+    {"cull_facing", "cull state by facing",
+     [](const Contract&) {
+       return product(named({"cull none", "cull back", "cull front"}),
+                      named({"clockwise", "counter-clockwise"}));
+     },
+     [](const SeenTriangle& s, Hits* hits) {
+       if (s.area2 != 0) hits->add(static_cast<int>(s.frame.cull) * 2 + (s.area2 > 0 ? 0 : 1));
+     }},
+    {"order", "which vertex of the scene is the anchor, by facing",
+     [](const Contract&) {
+       return product(named({"clockwise", "counter-clockwise"}), numbered(0, 2, "is the anchor"));
+     },
+     [](const SeenTriangle& s, Hits* hits) {
+       if (s.kept()) hits->add((s.area2 > 0 ? 0 : 3) + static_cast<int>(s.order[0]));
+     }},
+    {"anchor", "how the anchor is found",
+     [](const Contract&) {
+       return named({"one vertex is topmost", "two are, the left one"});
+     },
+     [](const SeenTriangle& s, Hits* hits) {
+       if (s.kept()) hits->add(s.vertex(0).y == s.vertex(1).y ? 1 : 0);
+     }},
+    {"area", "length in bits of the doubled area",
+     [](const Contract& c) { return numbered(1, 2 * span(c), "bits"); },
+     [](const SeenTriangle& s, Hits* hits) {
+       if (s.kept()) hits->add(length_of(s.area2 < 0 ? -s.area2 : s.area2) - 1);
+     }},
+    {"extent", "length in bits of width and height, in subpixels",
+     [](const Contract& c) {
+       return product(named({"width", "height"}), numbered(1, span(c), "bits"));
+     },
+     [](const SeenTriangle& s, Hits* hits) {
+       if (!s.kept()) return;
+       hits->add(length_of(int64_t{s.x_high} - s.x_low) - 1);
+       hits->add(span(s.contract) + length_of(int64_t{s.y_high} - s.y_low) - 1);
+     }},
+    {"edge_direction", "direction of each edge", [](const Contract&) { return edges(); },
+     [](const SeenTriangle& s, Hits* hits) {
+       for (size_t i = 0; s.kept() && i < 3; ++i) hits->add(edge_bin(s, i));
+     }},
+    {"tie",
+     "direction of an edge whose E at samples is a whole number of pixel steps, so that the "
+     "top-left bias changes E'",
+     [](const Contract&) { return edges(); }, see_ties},
+    {"sample_on_edge",
+     "direction of an edge that a sample of the box lies on, inside the other two",
+     samples_on_edges, see_samples_on_edges},
+    {"sample_on_vertex", "canonical vertex that lies on a sample",
+     [](const Contract&) {
+       Bins bins = numbered(0, 2, "is on a sample");
+       return bins;
+     },
+     see_samples_on_vertices},
+    {"box_side", "what each side of the box is cut by",
+     [](const Contract&) {
+       return product(sides(), named({"by nothing", "by the frame", "by the scissor"}));
+     },
+     see_box_sides},
+    {"box_in_tile", "where each side of the box lies in its tile", box_in_tiles, see_box_in_tiles},
+    {"corner_on_center", "an extreme coordinate that is a sample's",
+     [](const Contract&) { return sides(); }, see_corners_on_centers},
+    {"frame_size", "length in bits of a frame's size that cuts a box", frame_sizes, see_frame_size},
+    {"scissor", "length in bits of a scissor's side that cuts a box", scissors, see_scissor},
+    {"reciprocal_entry", "entry of the reciprocal's table",
+     [](const Contract& c) { return where(has_planes(c), reciprocal_entries(c)); }, see_entry},
+    {"reciprocal_end", "reciprocals that saturate",
+     [](const Contract& c) {
+       return where(has_planes(c), named({"a power of two", "no power of two"}));
+     },
+     see_power_of_two},
+    {"depth_gradient", "signs of dz/dx and dz/dy",
+     [](const Contract& c) { return where(has_depth_plane(c), product(signs(), signs())); },
+     see_depth_gradients},
+    {"attribute_gradient", "signs of an attribute's gradients",
+     [](const Contract& c) { return where(has_attribute_planes(c), product(signs(), signs())); },
+     see_attribute_gradients},
+    {"depth_wrap", "what of a depth plane wraps",
+     [](const Contract& c) {
+       return where(has_depth_plane(c), named({"dx", "dy", "ref"}));
+     },
+     see_depth_wraps},
+    {"attribute_wrap", "what of an attribute's plane wraps",
+     [](const Contract& c) {
+       return where(has_attribute_planes(c), named({"dx", "dy", "ref"}));
+     },
+     see_attribute_wraps},
+    {"bias", "depth bias of a triangle",
+     [](const Contract& c) {
+       return where(has_depth_plane(c), signs() + named({"saturated low", "saturated high"}));
+     },
+     see_bias},
+    {"bias_state", "signs of the constant and of the slope factor",
+     [](const Contract& c) {
+       return where(has_depth_plane(c),
+                    product(named({"constant negative", "constant zero", "constant positive"}),
+                            named({"slope negative", "slope zero", "slope positive"})));
+     },
+     see_bias_state},
+    {"bias_magnitude", "what the slope factor is multiplied by",
+     [](const Contract& c) { return where(has_depth_plane(c), bias_magnitudes(c)); },
+     see_bias_magnitude},
+    {"steep", "hierarchical z: whether a plane may wrap in a tile",
+     [](const Contract& c) {
+       return where(c.design.hierarchical_z, named({"flat enough", "steep"}));
+     },
+     [](const SeenTriangle& s, Hits* hits) {
+       if (s.kept()) hits->add(s.prim.planes.z_steep ? 1 : 0);
+     }},
+    {"shade", "where the attributes come from",
+     [](const Contract& c) {
+       return where(c.design.attributes > 0,
+                    named({"smooth"}) + numbered(0, 2, "in canonical order gives flat ones"));
+     },
+     [](const SeenTriangle& s, Hits* hits) {
+       if (!s.kept()) return;
+       const auto place = std::find(s.order.begin(), s.order.end(), size_t{0}) - s.order.begin();
+       hits->add(s.frame.shade == spec::Shade::kFlat ? 1 + place : 0);
+     }},
+    {"extreme", "vertices at the ends of their formats", extremes, see_extremes},
+    {"inverse_w", "length in bits of each canonical vertex' exponent of 1/w",
+     [](const Contract& c) {
+       return where(c.design.perspective, product(numbered(0, 2, "vertex"),
+                                                  numbered(0, spec::kInverseWShiftBits, "bits")));
+     },
+     see_inverse_w},
+    {"id", "number of the triangle",
+     [](const Contract&) {
+       return named({"small", "with its top bit"});
+     },
+     [](const SeenTriangle& s, Hits* hits) { hits->add(s.triangle.id >> 31); }},
+};
+
 }  // namespace
 
 template <>
 const std::vector<Point<SeenTriangle>>& points<SeenTriangle>() {
-  static const std::vector<Point<SeenTriangle>> kPoints{
-      {"drop", "why setup drops a triangle",
-       [](const Contract&) {
-         Bins bins;
-         for (const auto& row : core::kDropNames) bins.push_back({row.word, ""});
-         return bins;
-       },
-       [](const SeenTriangle& s, Hits* hits) { hits->add(static_cast<size_t>(s.drop)); }},
-      {"cull_facing", "cull state by facing",
-       [](const Contract&) {
-         return product(named({"cull none", "cull back", "cull front"}),
-                        named({"clockwise", "counter-clockwise"}));
-       },
-       [](const SeenTriangle& s, Hits* hits) {
-         if (s.area2 != 0) hits->add(static_cast<int>(s.frame.cull) * 2 + (s.area2 > 0 ? 0 : 1));
-       }},
-      {"order", "which vertex of the scene is the anchor, by facing",
-       [](const Contract&) {
-         return product(named({"clockwise", "counter-clockwise"}), numbered(0, 2, "is the anchor"));
-       },
-       [](const SeenTriangle& s, Hits* hits) {
-         if (s.kept()) hits->add((s.area2 > 0 ? 0 : 3) + static_cast<int>(s.order[0]));
-       }},
-      {"anchor", "how the anchor is found",
-       [](const Contract&) {
-         return named({"one vertex is topmost", "two are, the left one"});
-       },
-       [](const SeenTriangle& s, Hits* hits) {
-         if (s.kept()) hits->add(s.vertex(0).y == s.vertex(1).y ? 1 : 0);
-       }},
-      {"area", "length in bits of the doubled area",
-       [](const Contract& c) { return numbered(1, 2 * span(c), "bits"); },
-       [](const SeenTriangle& s, Hits* hits) {
-         if (s.kept()) hits->add(length_of(s.area2 < 0 ? -s.area2 : s.area2) - 1);
-       }},
-      {"extent", "length in bits of width and height, in subpixels",
-       [](const Contract& c) {
-         return product(named({"width", "height"}), numbered(1, span(c), "bits"));
-       },
-       [](const SeenTriangle& s, Hits* hits) {
-         if (!s.kept()) return;
-         hits->add(length_of(int64_t{s.x_high} - s.x_low) - 1);
-         hits->add(span(s.contract) + length_of(int64_t{s.y_high} - s.y_low) - 1);
-       }},
-      {"edge_direction", "direction of each edge", [](const Contract&) { return edges(); },
-       [](const SeenTriangle& s, Hits* hits) {
-         for (size_t i = 0; s.kept() && i < 3; ++i) hits->add(edge_bin(s, i));
-       }},
-      {"tie",
-       "direction of an edge whose E at samples is a whole number of pixel steps, so that the "
-       "top-left bias changes E'",
-       [](const Contract&) { return edges(); }, see_ties},
-      {"sample_on_edge",
-       "direction of an edge that a sample of the box lies on, inside the other two",
-       samples_on_edges, see_samples_on_edges},
-      {"sample_on_vertex", "canonical vertex that lies on a sample",
-       [](const Contract&) {
-         Bins bins = numbered(0, 2, "is on a sample");
-         return bins;
-       },
-       see_samples_on_vertices},
-      {"box_side", "what each side of the box is cut by",
-       [](const Contract&) {
-         return product(sides(), named({"by nothing", "by the frame", "by the scissor"}));
-       },
-       see_box_sides},
-      {"box_in_tile", "where each side of the box lies in its tile", box_in_tiles,
-       see_box_in_tiles},
-      {"corner_on_center", "an extreme coordinate that is a sample's",
-       [](const Contract&) { return sides(); }, see_corners_on_centers},
-      {"frame_size", "length in bits of a frame's size that cuts a box", frame_sizes,
-       see_frame_size},
-      {"scissor", "length in bits of a scissor's side that cuts a box", scissors, see_scissor},
-      {"reciprocal_entry", "entry of the reciprocal's table",
-       [](const Contract& c) { return where(has_planes(c), reciprocal_entries(c)); }, see_entry},
-      {"reciprocal_end", "reciprocals that saturate",
-       [](const Contract& c) {
-         return where(has_planes(c), named({"a power of two", "no power of two"}));
-       },
-       see_power_of_two},
-      {"depth_gradient", "signs of dz/dx and dz/dy",
-       [](const Contract& c) { return where(has_depth_plane(c), product(signs(), signs())); },
-       see_depth_gradients},
-      {"attribute_gradient", "signs of an attribute's gradients",
-       [](const Contract& c) { return where(has_attribute_planes(c), product(signs(), signs())); },
-       see_attribute_gradients},
-      {"depth_wrap", "what of a depth plane wraps",
-       [](const Contract& c) {
-         return where(has_depth_plane(c), named({"dx", "dy", "ref"}));
-       },
-       see_depth_wraps},
-      {"attribute_wrap", "what of an attribute's plane wraps",
-       [](const Contract& c) {
-         return where(has_attribute_planes(c), named({"dx", "dy", "ref"}));
-       },
-       see_attribute_wraps},
-      {"bias", "depth bias of a triangle",
-       [](const Contract& c) {
-         return where(has_depth_plane(c), signs() + named({"saturated low", "saturated high"}));
-       },
-       see_bias},
-      {"bias_state", "signs of the constant and of the slope factor",
-       [](const Contract& c) {
-         return where(has_depth_plane(c),
-                      product(named({"constant negative", "constant zero", "constant positive"}),
-                              named({"slope negative", "slope zero", "slope positive"})));
-       },
-       see_bias_state},
-      {"bias_magnitude", "what the slope factor is multiplied by",
-       [](const Contract& c) { return where(has_depth_plane(c), bias_magnitudes(c)); },
-       see_bias_magnitude},
-      {"steep", "hierarchical z: whether a plane may wrap in a tile",
-       [](const Contract& c) {
-         return where(c.design.hierarchical_z, named({"flat enough", "steep"}));
-       },
-       [](const SeenTriangle& s, Hits* hits) {
-         if (s.kept()) hits->add(s.prim.planes.z_steep ? 1 : 0);
-       }},
-      {"shade", "where the attributes come from",
-       [](const Contract& c) {
-         return where(c.design.attributes > 0,
-                      named({"smooth"}) + numbered(0, 2, "in canonical order gives flat ones"));
-       },
-       [](const SeenTriangle& s, Hits* hits) {
-         if (!s.kept()) return;
-         const auto place = std::find(s.order.begin(), s.order.end(), size_t{0}) - s.order.begin();
-         hits->add(s.frame.shade == spec::Shade::kFlat ? 1 + place : 0);
-       }},
-      {"extreme", "vertices at the ends of their formats", extremes, see_extremes},
-      {"inverse_w", "length in bits of each canonical vertex' exponent of 1/w",
-       [](const Contract& c) {
-         return where(c.design.perspective, product(numbered(0, 2, "vertex"),
-                                                    numbered(0, spec::kInverseWShiftBits, "bits")));
-       },
-       see_inverse_w},
-      {"id", "number of the triangle",
-       [](const Contract&) {
-         return named({"small", "with its top bit"});
-       },
-       [](const SeenTriangle& s, Hits* hits) { hits->add(s.triangle.id >> 31); }},
-  };
+  static const std::vector<Point<SeenTriangle>> kPoints(std::begin(kTrianglePoints),
+                                                        std::end(kTrianglePoints));
   return kPoints;
 }
 

@@ -29,8 +29,8 @@ TraversalCase run_model(const Contract& c, const TraversalCase& inputs) {
 InterpZtestCase run_model(const Contract& c, const InterpZtestCase& inputs) {
   struct Writes : core::Sink {
     explicit Writes(InterpZtestCase* into) : result(into) {}
-    void depth(const spec::DepthWrite& write) { result->depth.push_back(write); }
-    void color(const spec::ColorWrite& write) { result->color.push_back(write); }
+    void depth(const spec::DepthWrite& write) const { result->depth.push_back(write); }
+    void color(const spec::ColorWrite& write) const { result->color.push_back(write); }
     InterpZtestCase* result;
   };
   InterpZtestCase result = inputs;
