@@ -27,15 +27,22 @@ std::string packed_hex(const StreamShape& shape, const Values& values) {
   return text;
 }
 
-/// A folder with a file a stream: rows of all cases, in order.
+/// A folder with a file a stream: rows of all cases, in order. Without keep() nothing of it is left.
 class Folder {
  public:
   Folder(const std::string& path, const std::vector<StreamShape>& shapes, const char* ending)
       : path_(path) {
     std::error_code ignored;
-    std::filesystem::create_directories(path, ignored);
+    is_made_ = std::filesystem::create_directories(path, ignored);
     for (const StreamShape& shape : shapes) files_.emplace_back(name(shape.name + ending));
   }
+  ~Folder() {
+    files_.clear();
+    std::error_code ignored;
+    if (is_made_) std::filesystem::remove(path_, ignored);  // where it is empty
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
 
   std::string name(const std::string& file) const {
     return (std::filesystem::path(path_) / file).string();
@@ -51,6 +58,7 @@ class Folder {
 
  private:
   std::string path_;
+  bool is_made_ = false;
   std::list<vectors::WholeFile> files_;
 };
 

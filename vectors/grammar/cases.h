@@ -64,6 +64,11 @@ struct InterpZtestCase {
   PortStalls ports = {};
 };
 
+/// Bits of what a vector file says of samples and counters, where no format of the design has them.
+inline constexpr int kPlaceBits = 16;  // column and row of a sample, px
+inline constexpr int kHitBits = 16;
+inline constexpr int kCounterBits = 32;
+
 /// A sample of the memories of a frame.
 struct Sample {
   int x = 0;

@@ -10,9 +10,6 @@
 namespace pineda::vectors {
 namespace {
 
-constexpr int kCounterBits = 32;
-constexpr int kHitBits = 16;
-constexpr int kPlaceBits = 16;
 constexpr const char* kReset = "reset";
 constexpr const char* kSample = "sample";
 

@@ -68,17 +68,19 @@ StreamShape drop_shape() { return shape("drop", {{"cause", 3, false, 0}}); }
 
 StreamShape counter_shape() {
   std::vector<StreamColumn> columns;
-  for (const Counter& counter : counters()) columns.push_back({counter.name, 32, false, 0});
+  for (const Counter& counter : counters())
+    columns.push_back({counter.name, kCounterBits, false, 0});
   return shape("counters", columns);
 }
 
 StreamShape sample_shape(const Contract& c) {
-  std::vector<StreamColumn> columns{
-      {"x", 16, false, 0}, {"y", 16, false, 0}, {"depth", c.design.depth_bits, false, 0}};
+  std::vector<StreamColumn> columns{{"x", kPlaceBits, false, 0},
+                                    {"y", kPlaceBits, false, 0},
+                                    {"depth", c.design.depth_bits, false, 0}};
   for (int i = 0; i < spec::channels(c.design); ++i) {
     columns.push_back({"color[" + std::to_string(i) + "]", c.design.attribute_bits, false, 0});
   }
-  columns.push_back({"hits", 16, false, 0});
+  columns.push_back({"hits", kHitBits, false, 0});
   return shape("sample", columns);
 }
 

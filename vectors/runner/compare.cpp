@@ -60,7 +60,8 @@ Text sample_difference(const spec::Design& d, const FrameCase& expected, const F
       return spec::difference_text(fmt::format("{}color[{}]", name, k), d.attribute_bits, 0, "LSB",
                                    a.color[k], b.color[k]);
     }
-    if (a.hits != b.hits) return spec::difference_text(name + "hits", 16, 0, "", a.hits, b.hits);
+    if (a.hits != b.hits)
+      return spec::difference_text(name + "hits", kHitBits, 0, "", a.hits, b.hits);
   }
   return std::nullopt;
 }
