@@ -205,6 +205,14 @@ TEST_F(Vectors, AreExportedAsMemoriesTablesAndJson) {
       is_refused(pineda({"vectors", "export", path, "-o", scratch_.path("x")}), "--readmemh"));
   EXPECT_TRUE(
       is_refused(pineda({"vectors", "export", path, "--csv", "--json", "-o", "x"}), "--readmemh"));
+
+  const std::string text = read_bytes(path);
+  const std::string cut = scratch_.write("cut.txt", text.substr(0, text.size() / 2));
+  for (const char* form : {"--readmemh", "--csv", "--json"}) {
+    const std::string out = scratch_.path(std::string("cut") + form);
+    EXPECT_TRUE(is_refused(pineda({"vectors", "export", cut, form, "-o", out}), "cut.txt:"));
+    EXPECT_FALSE(std::filesystem::exists(out)) << form;
+  }
 }
 
 TEST_F(Vectors, ABitThatDiffersIsNamed) {
