@@ -36,29 +36,39 @@ $(WORK)/pineda_pkg.sv: $(EMIT)
 	$(EMIT) $(DESIGN) $(WORK)/emitted --bench
 	cd $(WORK)/emitted && for file in *; do cmp -s $$file ../$$file || cp $$file ..; done
 
+# A unit's sources become two, since most of their time goes into the headers that each includes. What runs
+# once a model stands apart: optimizing it takes half of a build and gains nothing.
+define bundle
+	cd $(@:.stamp=) && ls *.cpp | grep -v -e __Slow.cpp -e __Syms.cpp | sed 's/.*/#include "&"/' > often.cc
+	cd $(@:.stamp=) && ls *.cpp | grep -e __Slow.cpp -e __Syms.cpp | sed 's/.*/#include "&"/' > once.cc
+	touch $@
+endef
+
 # With counters of what the cycles are spent on. Sources of an earlier run must not be compiled again.
 $(WORK)/raster_top.stamp: $(WORK)/pineda_pkg.sv $(RTL_SOURCES) $(LINT) $(RTL)/lint/taps.vlt $(SELF)
 	rm -f $(WORK)/raster_top/*.cpp
 	$(VERILATOR) $(FLAGS) Vraster_top --trace-fst -DPINEDA_COUNTERS --Mdir $(WORK)/raster_top \
 	  --top-module raster_top $(LINT) $(RTL)/lint/taps.vlt $< $(RTL_SOURCES)
-	touch $@
+	$(bundle)
 
 $(WORK)/loopback.stamp: $(WORK)/pineda_pkg.sv $(SELF)
+	rm -f $(WORK)/loopback/*.cpp
 	$(VERILATOR) $(FLAGS) Vloopback -Wno-UNUSEDSIGNAL --Mdir $(WORK)/loopback \
 	  --top-module loopback $(LINT) $< $(WORK)/loopback.sv
-	touch $@
+	$(bundle)
 
 $(WORK)/%.stamp: $(WORK)/pineda_pkg.sv $(RTL_SOURCES) $(LINT) $(SELF)
 	rm -f $(WORK)/$*/*.cpp
 	$(VERILATOR) $(FLAGS) V$* --Mdir $(WORK)/$* --top-module $* $(LINT) $< $(RTL_SOURCES)
-	touch $@
+	$(bundle)
 
 else
 
-GENERATED := $(foreach unit,$(UNITS),$(wildcard $(WORK)/$(unit)/*.cpp))
-OBJECTS := $(GENERATED:.cpp=.o) $(RUNTIME:%=$(WORK)/%.o) $(WORK)/plugin.o
-# What runs once a model: optimizing it takes half of a build and gains nothing.
-ONCE := $(filter %__Slow.cpp %__Syms.cpp,$(GENERATED))
+OFTEN := $(UNITS:%=$(WORK)/%/often.o)
+ONCE := $(UNITS:%=$(WORK)/%/once.o)
+# Verilator's library: who builds several plug-ins brings it as an archive.
+RUNTIME_OBJECTS ?= $(RUNTIME:%=$(WORK)/%.o)
+OBJECTS := $(OFTEN) $(ONCE) $(WORK)/plugin.o $(RUNTIME_OBJECTS)
 COMPILE = $(CXX) -std=c++17 $(CXXFLAGS) -fPIC -w -DVM_TRACE=1 -DVM_TRACE_FST=1 -DVM_SC=0 -DVM_COVERAGE=0 \
   -I$(SOURCE) -I$(WORK) $(UNITS:%=-I$(WORK)/%) -isystem $(VERILATOR_ROOT)/include \
   -isystem $(VERILATOR_ROOT)/include/vltstd
@@ -76,10 +86,10 @@ $(WORK)/plugin.o: $(SOURCE)/tb/plugin.cpp $(SOURCE)/tb/plugin.h $(UNITS:%=$(WORK
 $(RUNTIME:%=$(WORK)/%.o): $(WORK)/%.o: $(VERILATOR_ROOT)/include/%.cpp
 	$(COMPILE) -c $< -o $@
 
-$(patsubst %.cpp,%.o,$(filter-out $(ONCE),$(GENERATED))): %.o: %.cpp
+$(OFTEN): %.o: %.cc
 	$(COMPILE) -c $< -o $@
 
-$(ONCE:.cpp=.o): %.o: %.cpp
+$(ONCE): %.o: %.cc
 	$(COMPILE) -O0 -c $< -o $@
 
 endif
