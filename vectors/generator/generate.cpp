@@ -1,5 +1,9 @@
 #include "vectors/generator/generate.h"
 
+#include <algorithm>
+#include <future>
+#include <memory>
+#include <thread>
 #include <type_traits>
 #include <utility>
 
@@ -18,6 +22,8 @@ constexpr uint64_t kMaxFragments = 1024;  // of a frame, hidden ones too
 constexpr int64_t kMaxBoxTiles = 65536;
 
 constexpr int kMaxAttempts = 1 << 17;
+
+constexpr uint64_t kBatch = 1024;  // scenes that become cases at the same time
 
 enum class Fit { kTaken, kEmpty, kLarge };
 
@@ -131,13 +137,45 @@ struct Maker {
   const std::function<void(const Case&)>& visit;
   Tally tally = {};
 
+  struct MadeCase {
+    Fit fit;
+    Case value;
+    std::optional<std::string> wrong;  // what exact arithmetic says against it
+  };
+  using Made = std::vector<MadeCase>;
+
+  // The cases of the scenes, in order, a part on each processor.
+  std::vector<std::future<Made>> start(std::vector<Scene> scenes) const {
+    const auto all = std::make_shared<const std::vector<Scene>>(std::move(scenes));
+    const size_t parts = std::max(1U, std::thread::hardware_concurrency());
+    std::vector<std::future<Made>> started;
+    for (size_t part = 0; part < parts; ++part) {
+      const size_t from = all->size() * part / parts, until = all->size() * (part + 1) / parts;
+      started.push_back(std::async(std::launch::async, [this, all, from, until] {
+        Made made;
+        for (size_t i = from; i < until; ++i) {
+          const Scene& scene = (*all)[i];
+          MadeCase one{};
+          one.fit = make_case(contract, scene, &one.value);
+          if (one.fit == Fit::kTaken) one.wrong = misjudged(contract, scene, bounds);
+          made.push_back(std::move(one));
+        }
+        return made;
+      }));
+    }
+    return started;
+  }
+
   // A case of the scene that fits, or nothing.
   std::optional<Case> made(const Scene& scene) {
     Case value;
     const Fit fit = make_case(contract, scene, &value);
+    count_fit(fit);
+    return fit == Fit::kTaken ? std::optional<Case>(std::move(value)) : std::nullopt;
+  }
+  void count_fit(Fit fit) {
     tally.empty += fit == Fit::kEmpty ? 1 : 0;
     tally.large += fit == Fit::kLarge ? 1 : 0;
-    return fit == Fit::kTaken ? std::optional<Case>(std::move(value)) : std::nullopt;
   }
   void take(const Case& value) {
     visit(value);
@@ -148,15 +186,32 @@ struct Maker {
     take(value);
   }
 
-  // The level's scenes and those that follow, up to a number of cases.
+  // The level's scenes and those that follow, up to a number of cases. Scenes become cases on all processors,
+  // while those before them are taken, in order.
   void count(const Request& request) {
+    std::vector<Scene> scenes;
+    std::vector<std::future<Made>> under_way;
     const auto wants_more = [&] { return tally.cases < *request.count; };
-    const auto take_scene = [&](const Scene& scene) {
-      if (const auto value = made(scene)) take_judged(scene, *value);
+    const auto take_batch = [&] {
+      std::vector<std::future<Made>> batch =
+          std::exchange(under_way, start(std::exchange(scenes, {})));
+      for (std::future<Made>& part : batch) {
+        for (const auto& [fit, value, wrong] : part.get()) {
+          if (!wants_more()) break;
+          count_fit(fit);
+          if (fit != Fit::kTaken) continue;
+          if (wrong) throw Misjudged(*wrong);
+          take(value);
+        }
+      }
+    };
+    const auto add = [&](const Scene& scene) {
+      scenes.push_back(scene);
+      if (scenes.size() == std::min<uint64_t>(kBatch, *request.count)) take_batch();
       return wants_more();
     };
-    for_each_scene(contract, request.level, request.seed, take_scene);
-    if (wants_more()) for_each_further_scene(contract, request.seed, take_scene);
+    for_each_scene(contract, request.level, request.seed, add);
+    if (wants_more()) for_each_further_scene(contract, request.seed, add);
   }
 
   // The level, then scenes that hit a bin of the coverage which is left, until none is or they are found
@@ -175,7 +230,7 @@ struct Maker {
       take(value);
     });
     const Tally level = tally;
-    const size_t bins = coverage.bins();
+    const size_t bins = reachable_bins(coverage.points());
     if (coverage.hit() == bins) return;
     int attempts = 0;
     for_each_further_scene(contract, request.seed, [&](const Scene& scene) {

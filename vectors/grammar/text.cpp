@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "model/spec/package.h"
@@ -59,9 +60,12 @@ const std::string& Lines::word(size_t i, const std::string& what) const {
 
 void append_hex(int64_t value, int bits, std::string* text) {
   const uint64_t code = static_cast<uint64_t>(value) & (~uint64_t{0} >> (64 - bits));
-  for (int at = (bits + 3) / 4 * 4 - 4; at >= 0; at -= 4) {
-    text->push_back("0123456789abcdef"[code >> at & 15]);
+  const auto digits = static_cast<size_t>(bits + 3) / 4;
+  std::array<char, 16> all;
+  for (size_t i = 0; i < digits; ++i) {
+    all[i] = "0123456789abcdef"[code >> 4 * (digits - 1 - i) & 15];
   }
+  text->append(all.data(), digits);
 }
 
 std::string hex(int64_t value, int bits) {
