@@ -109,12 +109,12 @@ bool FrameBench::step(Progress* p, const NextTriangle& next, Listener* listener)
   // The frame was offered before the first step. A triangle is offered when its port does not
   // stall.
   if (!p->held && p->more) p->held = p->more = next(&p->triangle);
-  if (p->held && !triangles_.offered() && !stalls_(Port::kTriangle, cycle)) {
+  if (p->held && !triangles_.offered() && !stalls_(Port::kTriangle, cycle - p->start)) {
     triangles_.offer(p->triangle);
   }
   const bool at_end = !p->held;
-  if (at_end && !stalls_(Port::kEnd, cycle)) end_valid_.set_bit(true);
-  clear_ready_.set_bit(!stalls_(Port::kClear, cycle));
+  if (at_end && !stalls_(Port::kEnd, cycle - p->start)) end_valid_.set_bit(true);
+  clear_ready_.set_bit(!stalls_(Port::kClear, cycle - p->start));
   memory_.drive(stalls_, cycle);
   unit_.settle();
 
@@ -138,7 +138,7 @@ bool FrameBench::step(Progress* p, const NextTriangle& next, Listener* listener)
     p->drained = true;
     p->result = counters_.read(cycle - p->start);
   }
-  if (moved) p->last_event = cycle;
+  if (moved) p->last_event = last_moved_ = cycle;
   if (cycle - p->last_event > kDeadlockCycles) {
     throw RtlError(fmt::format("top: nothing moves since cycle {}", p->last_event));
   }

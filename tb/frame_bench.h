@@ -44,7 +44,7 @@ class FrameBench {
   /// The same, but resets in the middle, `cycles` after the start, and leaves the pipeline idle.
   void run_into_reset(const spec::FrameState& frame, const NextTriangle& next, Cycle cycles);
 
-  /// The bench's first frame up to the end of the close-up, where the bench is left as it is: good
+  /// The first frame since the reset up to the end of the close-up, where the bench is left as it is: good
   /// for nothing more. The waveform is whole once the bench is gone. Returns each unit's cause in
   /// cycle `at`. Throws RtlError if the waveform cannot be written.
   std::array<timing::Cause, timing::kUnits> run_close_up(const spec::FrameState& frame,
@@ -56,8 +56,10 @@ class FrameBench {
   core::FrameBuffer buffer() const { return memory_.memories().whole(); }
   const PagedBuffer& memories() const { return memory_.memories(); }
   const spec::Contract& contract() const { return unit_.contract(); }
-  /// Of the frames that follow.
+  /// Of the frames that follow, in cycles of each.
   void set_stalls(const Stalls& stalls) { stalls_ = stalls; }
+  /// The cycle of the last handshake: where to look once a frame has ended in an RtlError.
+  Cycle last_moved() const { return last_moved_; }
   bool trace(const std::string& file) { return unit_.trace(file); }
 
  private:
@@ -75,6 +77,7 @@ class FrameBench {
   Tap<spec::Stamp> stamps_;
   Counters counters_;
   MemoryEnd memory_;
+  Cycle last_moved_ = 0;
 };
 
 }  // namespace pineda::tb

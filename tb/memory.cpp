@@ -56,7 +56,7 @@ void MemoryEnd::forget() {
 
 bool MemoryEnd::ready(const Stalls& stalls, MemoryPort port, Cycle cycle) const {
   const Cycle now = cycle - start_;
-  return !stalls(memory::stalling(port), cycle) && timing_->ready_from(port, now) == now;
+  return !stalls(memory::stalling(port), now) && timing_->ready_from(port, now) == now;
 }
 
 void MemoryEnd::drive(const Stalls& stalls, Cycle cycle) {

@@ -48,10 +48,11 @@ InterpZtestBench::Writes InterpZtestBench::run_on(PagedBuffer memory, const spec
   }
   memory_.start(frame, std::move(memory), unit_.cycle());
   size_t next = 0;
-  Cycle last_event = unit_.cycle();
+  const Cycle start = unit_.cycle();
+  Cycle last_event = start;
   for (bool done = false; !done;) {
     const Cycle cycle = unit_.cycle();
-    if (!stamps_.offered() && next < stamps.size() && !stalls_(Port::kInput, cycle)) {
+    if (!stamps_.offered() && next < stamps.size() && !stalls_(Port::kInput, cycle - start)) {
       stamps_.offer(stamps[next++]);
     }
     memory_.drive(stalls_, cycle);

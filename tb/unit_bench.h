@@ -33,7 +33,7 @@ class UnitBench {
   }
 
   RtlUnit& unit() { return unit_; }
-  /// Of the tokens that follow.
+  /// Of the runs that follow, in cycles of each.
   void set_stalls(const Stalls& stalls) { stalls_ = stalls; }
 
   /// Feeds all tokens, then waits until the unit is idle. *accepted, if given, gets the cycles in
@@ -41,13 +41,14 @@ class UnitBench {
   Trace<Out> run(const std::vector<In>& tokens, std::vector<Cycle>* accepted = nullptr) {
     Trace<Out> trace;
     size_t next = 0;
-    Cycle last_event = unit_.cycle();
+    const Cycle start = unit_.cycle();
+    Cycle last_event = start;
     for (bool done = false; !done;) {
       const Cycle cycle = unit_.cycle();
-      if (!in_.offered() && next < tokens.size() && !stalls_(Port::kInput, cycle)) {
+      if (!in_.offered() && next < tokens.size() && !stalls_(Port::kInput, cycle - start)) {
         in_.offer(tokens[next++]);
       }
-      out_.set_ready(!stalls_(Port::kOutput, cycle));
+      out_.set_ready(!stalls_(Port::kOutput, cycle - start));
       unit_.settle();
       const bool took = in_.taken();
       const bool gave = out_.taken();

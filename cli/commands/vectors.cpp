@@ -6,6 +6,7 @@
 
 #include "cli/models.h"
 #include "studies/vectors/benches.h"
+#include "studies/vectors/timed_coverage.h"
 #include "vectors/coverage/coverage.h"
 #include "vectors/generator/generate.h"
 
@@ -60,11 +61,12 @@ std::map<std::string, size_t> counts(const vectors::FrameCase& c) {
 }
 
 /// The points with their bins hit, and the bins that are not, as text; all of it in JSON.
-Json coverage_of(const vectors::Coverage& coverage, const Output& output) {
-  Json json{{"bins", coverage.bins()}, {"hit", coverage.hit()}};
+Json coverage_of(const std::vector<vectors::PointHits>& points, const Output& output) {
+  const size_t bins = vectors::reachable_bins(points), hit_bins = vectors::hit_bins(points);
+  Json json{{"bins", bins}, {"hit", hit_bins}};
   output.line("\n{:<24}{:>8}{:>8}", "coverage", "bins", "hit");
   std::vector<std::string> missed;
-  for (const vectors::PointHits& point : coverage.points()) {
+  for (const vectors::PointHits& point : points) {
     size_t reachable = 0, hit = 0;
     Json counts = Json::object(), unreachable;
     for (size_t i = 0; i < point.bins.size(); ++i) {
@@ -82,12 +84,30 @@ Json coverage_of(const vectors::Coverage& coverage, const Output& output) {
     if (!unreachable.empty()) json["points"][point.name]["unreachable"] = unreachable;
     output.line("{:<24}{:>8}{:>8}", point.name, reachable, hit);
   }
-  output.line("{:<24}{:>8}{:>8}", "all", coverage.bins(), coverage.hit());
-  for (const std::string& bin : coverage.contradictions()) output.warn(bin);
+  output.line("{:<24}{:>8}{:>8}", "all", bins, hit_bins);
+  for (const std::string& bin : vectors::contradictions(points)) output.warn(bin);
   if (!missed.empty()) output.line("\nnot hit");
   for (const std::string& bin : missed) output.line("  {}", bin);
   return json;
 }
+
+/// What only time shows, of whole frames.
+template <class Case>
+struct InTime {
+  explicit InTime(const spec::Contract&) {}
+  void see(const Case&) {}
+  void list(std::vector<vectors::PointHits>*) const {}
+};
+template <>
+struct InTime<vectors::FrameCase> {
+  explicit InTime(const spec::Contract& contract) : coverage(contract) {}
+  void see(const vectors::FrameCase& value) { coverage.see(value); }
+  void list(std::vector<vectors::PointHits>* all) const {
+    for (vectors::PointHits& point : coverage.points()) all->push_back(std::move(point));
+  }
+
+  vectors::TimedCoverage coverage;
+};
 
 int info(const VectorOptions& options) {
   const Output output(options);
@@ -100,9 +120,11 @@ int info(const VectorOptions& options) {
     uint64_t cases = 0;
     int width = 0, height = 0;
     vectors::Coverage coverage(header.unit, header.contract);
+    InTime<Case> in_time(header.contract);
     for (Case c; reader.next(&c);) {
       ++cases;
       coverage.see(c);
+      in_time.see(c);
       for (const auto& [name, count] : counts(c)) tokens[name] += count;
       ++classes[c.name.substr(0, c.name.rfind('.'))];
       width = std::max(width, c.frame.width);
@@ -119,7 +141,9 @@ int info(const VectorOptions& options) {
     told["tokens"] = tokens;
     told["greatest_frame"] = {{"width", width}, {"height", height}};
     told["classes"] = classes;
-    told["coverage"] = coverage_of(coverage, output);
+    std::vector<vectors::PointHits> points = coverage.points();
+    in_time.list(&points);
+    told["coverage"] = coverage_of(points, output);
     return told;
   });
   output.json(json);

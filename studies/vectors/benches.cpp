@@ -28,20 +28,25 @@ InterpZtestCase run(tb::InterpZtestBench* bench, const InterpZtestCase& inputs) 
   return got;
 }
 
-FrameCase run(tb::FrameBench* bench, const FrameCase& inputs) {
-  FrameCase got = inputs;
-  size_t next = 0;
-  const auto pull = [&](spec::Triangle* triangle) {
+tb::NextTriangle triangles_of(const FrameCase& inputs) {
+  return [&inputs, next = size_t{0}](spec::Triangle* triangle) mutable {
     if (next == inputs.in.size()) return false;
     *triangle = inputs.in[next++];
     return true;
   };
-  if (inputs.reset_cycle) {
-    bench->run_into_reset(inputs.frame, pull, static_cast<tb::Cycle>(*inputs.reset_cycle));
-    next = 0;
-  }
+}
+
+void begin(tb::FrameBench* bench, const FrameCase& inputs) {
+  if (!inputs.reset_cycle) return;
+  bench->run_into_reset(inputs.frame, triangles_of(inputs),
+                        static_cast<tb::Cycle>(*inputs.reset_cycle));
+}
+
+FrameCase run(tb::FrameBench* bench, const FrameCase& inputs) {
+  FrameCase got = inputs;
+  begin(bench, inputs);
   timing::Listener hits_are_counted;
-  got.counters = bench->run(inputs.frame, pull, &hits_are_counted).counters;
+  got.counters = bench->run(inputs.frame, triangles_of(inputs), &hits_are_counted).counters;
   got.samples = samples_of(*bench, inputs.frame);
   return got;
 }

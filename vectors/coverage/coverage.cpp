@@ -4,62 +4,25 @@
 #include <utility>
 
 #include "vectors/coverage/points.h"
+#include "vectors/coverage/table.h"
 #include "vectors/runner/sparse_memories.h"
 
 namespace pineda::vectors {
 
 using spec::Contract;
 
-namespace {
-
-// The rows for one kind of thing seen, those that the design has.
-template <class Seen>
-class Table {
- public:
-  explicit Table(const Contract& contract) {
-    for (const Point<Seen>& point : vectors::points<Seen>()) {
-      const Bins bins = point.bins(contract);
-      if (!bins.empty()) rows_.push_back({&point, bins, Hits(bins)});
-    }
-  }
-
-  void see(const Seen& seen) {
-    for (Row& row : rows_) row.point->see(seen, &row.hits);
-  }
-  size_t hit() const {
-    size_t sum = 0;
-    for (const Row& row : rows_) sum += row.hits.hit();
-    return sum;
-  }
-  void list(std::vector<PointHits>* all) const {
-    for (const Row& row : rows_) {
-      all->push_back({row.point->name, row.point->what, row.bins, row.hits.counts()});
-    }
-  }
-
- private:
-  struct Row {
-    const Point<Seen>* point;
-    Bins bins;
-    Hits hits;
-  };
-  std::vector<Row> rows_;
-};
-
-}  // namespace
-
 struct Coverage::Tables {
   Tables(Unit u, const Contract& c)
       : unit(u),
         contract(c),
-        triangles(c),
-        prims(c),
-        tiles(c),
-        stamps(c),
-        fragments(c),
-        given_stamps(c),
-        cases(c),
-        frames(c) {}
+        triangles(vectors::points<SeenTriangle>(), c),
+        prims(vectors::points<SeenPrim>(), c),
+        tiles(vectors::points<SeenTile>(), c),
+        stamps(vectors::points<SeenStamp>(), c),
+        fragments(vectors::points<SeenFragment>(), c),
+        given_stamps(vectors::points<SeenGivenStamp>(), c),
+        cases(vectors::points<SeenCase>(), c),
+        frames(vectors::points<SeenFrame>(), c) {}
 
   void see_prim(const spec::SetupPrim& prim) {
     core::TileWalk walk(contract, prim);
@@ -181,9 +144,9 @@ std::vector<PointHits> Coverage::points() const {
   return all;
 }
 
-std::vector<std::string> Coverage::contradictions() const {
+std::vector<std::string> contradictions(const std::vector<PointHits>& points) {
   std::vector<std::string> all;
-  for (const PointHits& point : points()) {
+  for (const PointHits& point : points) {
     for (size_t i = 0; i < point.bins.size(); ++i) {
       if (point.count[i] == 0 || point.bins[i].unreachable.empty()) continue;
       all.push_back(fmt::format("{}: {}, called unreachable: {}", point.name, point.bins[i].name,
@@ -193,10 +156,20 @@ std::vector<std::string> Coverage::contradictions() const {
   return all;
 }
 
-size_t Coverage::bins() const {
+size_t reachable_bins(const std::vector<PointHits>& points) {
   size_t count = 0;
-  for (const PointHits& point : points()) {
+  for (const PointHits& point : points) {
     for (const Bin& bin : point.bins) count += bin.unreachable.empty() ? 1 : 0;
+  }
+  return count;
+}
+
+size_t hit_bins(const std::vector<PointHits>& points) {
+  size_t count = 0;
+  for (const PointHits& point : points) {
+    for (size_t i = 0; i < point.bins.size(); ++i) {
+      count += point.bins[i].unreachable.empty() && point.count[i] > 0 ? 1 : 0;
+    }
   }
   return count;
 }

@@ -18,6 +18,12 @@ struct PointHits {
   std::vector<uint64_t> count;  // by bin
 };
 
+size_t reachable_bins(const std::vector<PointHits>& points);
+/// Those of them that were hit.
+size_t hit_bins(const std::vector<PointHits>& points);
+/// "mask: 5 lanes, called unreachable: ...", where such a bin was hit.
+std::vector<std::string> contradictions(const std::vector<PointHits>& points);
+
 /// Collects the bins that the cases of one unit hit.
 ///
 /// In       cases of the unit in the formats of the design. A frame is seen at every unit.
@@ -35,11 +41,8 @@ class Coverage {
   void see(const FrameCase& value);
 
   std::vector<PointHits> points() const;
-  /// Reachable bins, and how many of them were hit.
-  size_t bins() const;
+  /// hit_bins(points()), quickly.
   size_t hit() const;
-  /// "mask: 5 lanes, called unreachable: ..."
-  std::vector<std::string> contradictions() const;
 
  private:
   struct Tables;

@@ -137,13 +137,24 @@ void far_border(Draw& d, bool by_scissor) {
 void frame_border(Draw& d) { far_border(d, false); }
 void scissor_border(Draw& d) { far_border(d, true); }
 
+// Every stamp of the frame is sent, one after the other: more than wait for their depths when a port stalls.
+void many_stamps(Draw& d) {
+  const int width = 8 << d.contract().design.stamp_width_log2;
+  const int height = 8 << d.contract().design.stamp_height_log2;
+  d.frame(width, height);
+  d.scene().frame.depth = DepthFunc::kLequal;
+  d.add({Point{-d.reach(2 * width), -d.px()}, Point{d.reach(3 * width), -d.px()},
+         Point{0, d.reach(4 * height)}});
+}
+
 }  // namespace
 
 std::vector<SceneClass> state_classes() {
   return {{"depth_function", 18, depth_function}, {"scissor", 9, scissor},
           {"depth_bias", 12, depth_bias},         {"flat_shading", 3, flat_shading},
           {"clear_depth", 18, clear_depth},       {"state", 54, state},
-          {"frame_border", 30, frame_border},     {"scissor_border", 30, scissor_border}};
+          {"frame_border", 30, frame_border},     {"scissor_border", 30, scissor_border},
+          {"many_stamps", 8, many_stamps}};
 }
 
 }  // namespace pineda::vectors

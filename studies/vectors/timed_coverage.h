@@ -1,0 +1,43 @@
+// Coverage that only time shows: FIFOs, stalls, resets in flight, told by the timing model.
+#pragma once
+
+#include <array>
+
+#include "model/timing/raster_top.h"
+#include "vectors/coverage/points.h"
+#include "vectors/coverage/table.h"
+
+namespace pineda::vectors {
+
+/// A frame of a case in time.
+struct SeenTimedFrame {
+  const spec::Contract& contract;
+  const FrameCase& frame_case;
+  const timing::FrameResult& result;
+  // If the case is reset on the way: what works, and which FIFOs hold something, when it is.
+  std::array<bool, timing::kUnits> works_at_reset{};
+  std::array<bool, timing::kFifos> holds_at_reset{};
+};
+
+template <>
+const std::vector<Point<SeenTimedFrame>>& points<SeenTimedFrame>();
+
+/// Collects the bins that frames hit in time, with an ideal memory of the design's latency.
+///
+/// In       frames in the formats of the design, whose ports stall as they say.
+/// Out      points(), as those of Coverage.
+/// Rate     elaborates the SystemC model, which is possible once per process.
+class TimedCoverage {
+ public:
+  explicit TimedCoverage(const spec::Contract& contract);
+
+  void see(const FrameCase& value);
+  std::vector<PointHits> points() const;
+
+ private:
+  spec::Contract contract_;
+  timing::RasterTop top_;
+  Table<SeenTimedFrame> table_;
+};
+
+}  // namespace pineda::vectors
