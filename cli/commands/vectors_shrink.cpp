@@ -88,17 +88,20 @@ class Shrinking {
       return what && vectors::kind_of(*what) == kind;
     });
     write(small, result_);
-    const std::string what = failure_of(small).value_or("");
+    const std::optional<std::string> alone = failure_of(small);
+    const std::string what = alone.value_or(failure->what);
     progress_.clear();
     output_.line("{}: case {}, {} of {} inputs, {}x{} px", result_, small.name, small.in.size(),
                  failure->value.in.size(), small.frame.width, small.frame.height);
-    if (!what.empty()) output_.row("fails", what);
+    output_.row("fails", what);
+    if (!alone) output_.row("", "only after the cases before it, so nothing is left out");
     output_.row("tried", fmt::format("{} cases", grouped(tried_)));
     json["case"] = small.name;
     json["result"] = result_;
     json["inputs"] = {{"before", failure->value.in.size()}, {"after", small.in.size()}};
     json["frame"] = {{"width", small.frame.width}, {"height", small.frame.height}};
     json["what"] = what;
+    json["fails_alone"] = alone.has_value();
     json["tried"] = tried_;
     look_closer(small, &json);
     output_.json(json);
@@ -136,54 +139,55 @@ class Shrinking {
   // Of a frame on our RTL: the first unit, field and cycle that differ, and a waveform around it.
   void look_closer(const vectors::FrameCase& value, Json* json) {
     if (!runner_) return;
-    const auto pull = [&value](size_t* next) {
-      return [&value, next](spec::Triangle* triangle) {
-        if (*next == value.in.size()) return false;
-        *triangle = value.in[(*next)++];
-        return true;
-      };
-    };
-    const auto bench_of = [&] {
-      tb::BenchOptions bench = bench_options(options_, contract_);
-      if (stall_mode_of(options_) == memory::StallMode::kNone) {
-        bench.stall_mode = value.ports.mode;
-        bench.seed = value.ports.seed;
-      }
-      return bench;
-    };
-    size_t expected = 0, fed = 0;
-    tb::Scoreboard scoreboard("RTL", contract_, value.frame, pull(&expected));
     std::string first;
-    std::optional<tb::Cycle> cycle;
-    try {
-      tb::FrameBench bench(*library_, bench_of());
-      bench.run(value.frame, pull(&fed), &scoreboard);
-      scoreboard.finish();
-      first = scoreboard.first_divergence();
-    } catch (const tb::RtlError& error) {
-      first = error.what();
-    }
-    cycle = scoreboard.first_cycle();
+    const std::optional<tb::Cycle> cycle = first_difference(value, &first);
     if (!first.empty()) output_.row("first", first);
     (*json)["first"] = first;
     if (!cycle) return;
     constexpr tb::Cycle kBefore = 40, kAfter = 8;
-    const tb::Cycle from = std::max<tb::Cycle>(*cycle - kBefore, 0);
-    std::filesystem::path waveform_path{result_};
-    const std::string waveform = waveform_path.replace_extension(".fst").string();
-    fed = 0;
-    {
-      tb::FrameBench bench(*library_, bench_of());
-      bench.run_close_up(value.frame, pull(&fed), nullptr,
-                         {from, *cycle, *cycle + kAfter, waveform});
+    std::filesystem::path waveform{result_};
+    waveform.replace_extension(".fst");
+    const tb::CloseUp window{std::max<tb::Cycle>(*cycle - kBefore, 0), *cycle, *cycle + kAfter,
+                             waveform.string()};
+    try {
+      tb::FrameBench bench(*library_, bench_of(value));
+      vectors::begin(&bench, value);
+      bench.run_close_up(value.frame, vectors::triangles_of(value), nullptr, window);
+    } catch (const tb::RtlError& error) {
+      // What ended the frame before ends it again: the waveform goes as far.
+      if (error.what() != first) throw;
     }
     output_.row("waveform",
-                fmt::format("{}, cycles {} to {}", waveform, from, *cycle + kAfter - 1));
+                fmt::format("{}, cycles {} to {}", window.trace, window.from, window.until - 1));
     (*json)["cycle"] = *cycle;
-    (*json)["waveform"] = {{"file", waveform}, {"from", from}, {"until", *cycle + kAfter}};
+    (*json)["waveform"] = {{"file", window.trace}, {"from", window.from}, {"until", window.until}};
   }
   template <class Other>
   void look_closer(const Other&, Json*) {}
+
+  std::optional<tb::Cycle> first_difference(const vectors::FrameCase& value, std::string* first) {
+    tb::Scoreboard scoreboard("RTL", contract_, value.frame, vectors::triangles_of(value));
+    tb::FrameBench bench(*library_, bench_of(value));
+    try {
+      vectors::begin(&bench, value);
+      bench.run(value.frame, vectors::triangles_of(value), &scoreboard);
+      scoreboard.finish();
+      *first = scoreboard.first_divergence();
+      return scoreboard.first_cycle();
+    } catch (const tb::RtlError& error) {
+      *first = error.what();
+      return bench.last_moved();
+    }
+  }
+
+  tb::BenchOptions bench_of(const vectors::FrameCase& value) const {
+    tb::BenchOptions bench = bench_options(options_, contract_);
+    if (stall_mode_of(options_) == memory::StallMode::kNone) {
+      bench.stall_mode = value.ports.mode;
+      bench.seed = value.ports.seed;
+    }
+    return bench;
+  }
 
   const VectorOptions& options_;
   const Output& output_;
