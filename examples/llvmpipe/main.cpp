@@ -12,13 +12,14 @@
 #include <stdexcept>
 #include <vector>
 
-#include "model/scene/scene.h"
+#include "examples/llvmpipe/clip_space.h"
 #include "model/scene/writers.h"
 #include "model/spec/clear_depth.h"
 
 namespace {
 
 using namespace pineda;
+using llvmpipe::Vertex;
 
 /// What of OpenGL is used.
 struct Gl {
@@ -101,30 +102,11 @@ class Context {
   std::vector<uint8_t> window_ = std::vector<uint8_t>(4);
 };
 
-struct Vertex {
-  float position[4];  // in clip space
-  uint8_t rgba[4];
-};
-
-/// The triangles of a scene in clip space: row 0 at the top, depths from 0 to 1.
+/// All triangles of a scene in clip space.
 std::vector<Vertex> clip_vertices(const scene::Scene& scene) {
   std::vector<Vertex> vertices;
-  const spec::Design& d = scene.source->contract().design;
-  const double px = 1 << d.subpixel_bits;
-  const auto code =
-      static_cast<double>(((int64_t{1} << d.depth_bits) - 1) << spec::kDepthInputFractionBits);
   for (spec::Triangle triangle; scene.source->next(&triangle);) {
-    for (size_t i = 0; i < 3; ++i) {
-      const scene::ScreenVertex& stated = scene.source->screen().v[i];
-      const spec::Vertex& v = triangle.v[i];
-      const double w = stated.w;
-      Vertex vertex{{static_cast<float>((2 * v.x / px / scene.frame.width - 1) * w),
-                     static_cast<float>((2 * v.y / px / scene.frame.height - 1) * w),
-                     static_cast<float>(static_cast<double>(v.z) / code * w), stated.w},
-                    {}};
-      std::copy_n(stated.rgba.begin(), 4, vertex.rgba);
-      vertices.push_back(vertex);
-    }
+    for (const Vertex& v : llvmpipe::clip_vertices(scene, triangle)) vertices.push_back(v);
   }
   return vertices;
 }
@@ -192,8 +174,9 @@ void set_state(const Gl& gl, const spec::FrameState& frame) {
   }
   if (frame.has_bias()) {
     gl.Enable(GL_POLYGON_OFFSET_FILL);
+    // A unit is r, which an implementation chooses; Mesa's is two codes, the scene's constant counts codes.
     gl.PolygonOffset(static_cast<float>(frame.bias_slope) / 256,
-                     static_cast<float>(frame.bias_constant));
+                     static_cast<float>(frame.bias_constant) / 2);
   }
 }
 

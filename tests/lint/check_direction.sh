@@ -26,7 +26,7 @@ BEGIN {
   may["studies"] = "studies tb vectors model/timing model/memory model/scene model/baseline " \
                    "model/judge model/exact model/fast model/core model/figures model/files model/spec"
   may["cli"] = "cli " may["studies"]
-  may["examples"] = "model/timing model/memory model/scene model/baseline model/judge model/core model/spec"
+  may["examples"] = "examples model/timing model/memory model/scene model/baseline model/judge model/core model/spec"
   may["tests"] = "tests " may["cli"]
 }
 function folder(path, part) {
