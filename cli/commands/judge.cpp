@@ -1,24 +1,41 @@
 // pineda judge: the frame of any rasterizer against exact arithmetic.
+#include "cli/commands/judge.h"
+
 #include <memory>
 
-#include "cli/output.h"
-#include "cli/reserved_file.h"
 #include "model/scene/resnap.h"
-#include "studies/judge/frame_diagnosis.h"
+#include "model/scene/tri_writer.h"
+#include "vectors/grammar/text.h"
 
 namespace pineda::cli {
+
+Json diagnosis_json(const studies::Diagnosis& first) {
+  Json json{{"x", first.x}, {"y", first.y}, {"triangle", -1}};
+  if (first.triangle) json["triangle"] = *first.triangle;
+  json["rule"] = spec::name_of(first.rule);
+  json["what"] = first.what;
+  return json;
+}
+
+std::string diagnosis_text(const studies::Diagnosis& first) {
+  return fmt::format(
+      "({}, {}), {}{}", first.x, first.y, spec::name_of(first.rule),
+      first.triangle ? fmt::format(", triangle {}", *first.triangle) : std::string());
+}
+
+void write_smallest_scene(const JudgeOptions& options, const spec::FrameState& frame,
+                          const studies::Diagnosis& first, ReservedFile* out,
+                          const Output& output) {
+  const std::string text = scene::tri_text(frame, first.scene);
+  out->keep(std::fputs(text.c_str(), out->file()) >= 0);
+  output.row("smallest scene",
+             fmt::format("{}: {} of its triangles", options.out, first.scene.size()));
+}
+
 namespace {
 
-using studies::Diagnosis;
 using studies::FrameTolerance;
-
-struct JudgeOptions : Options {
-  std::string dump;
-  std::optional<int> subpixel_bits, depth_bits;
-  double depth_ulp = 1;
-  double color_lsb = 1;
-  std::string out;  // the smallest scene
-};
+using studies::FrameVerdict;
 
 /// A design with perspective, since a scene's colours have it, and with the positions and depths of the
 /// rasterizer that is judged.
@@ -47,39 +64,7 @@ void for_each_triangle(const scene::Scene& scene, const char* phase, Progress* p
   }
 }
 
-/// The scene as .tri, its raster state with these triangles alone.
-std::string tri_text(const scene::Scene& scene,
-                     const std::vector<scene::ScreenTriangle>& triangles) {
-  const spec::FrameState& f = scene.frame;
-  std::string text = fmt::format("pineda-tri 1\nsize {} {}\ncull {}\ndepth {}\n", f.width, f.height,
-                                 spec::name_of(f.cull), spec::name_of(f.depth));
-  if (f.scissor_x1 != spec::kNoScissorPx || f.scissor_y1 != spec::kNoScissorPx ||
-      f.scissor_x0 != 0 || f.scissor_y0 != 0) {
-    text += fmt::format("scissor {} {} {} {}\n", f.scissor_x0, f.scissor_y0,
-                        f.scissor_x1 - f.scissor_x0, f.scissor_y1 - f.scissor_y0);
-  }
-  text += fmt::format("depthwrite {}\n", spec::name_of(f.depth_write));
-  if (f.has_bias()) text += fmt::format("depthbias {} {}\n", f.bias_constant, f.bias_slope / 256.);
-  if (f.clear_depth != 1) text += fmt::format("cleardepth {:a}\n", f.clear_depth);
-  text += fmt::format("shade {}\n", spec::name_of(f.shade));
-  for (const scene::ScreenTriangle& triangle : triangles) {
-    for (const scene::ScreenVertex& v : triangle.v) {
-      text += fmt::format("v {:a} {:a} {:a} {:a} {} {} {} {}\n", v.x, v.y, v.z, v.w, v.rgba[0],
-                          v.rgba[1], v.rgba[2], v.rgba[3]);
-    }
-  }
-  return text;
-}
-
-Json diagnosis_json(const Diagnosis& first) {
-  Json json{{"x", first.x}, {"y", first.y}, {"triangle", -1}};
-  if (first.triangle) json["triangle"] = *first.triangle;
-  json["rule"] = spec::name_of(first.rule);
-  json["what"] = first.what;
-  return json;
-}
-
-int run(const JudgeOptions& options) {
+int judge_scene(const JudgeOptions& options) {
   const Output output(options);
   Progress progress(options);
   require_ending("-o", options.out, {".tri"});
@@ -91,21 +76,13 @@ int run(const JudgeOptions& options) {
   FrameTolerance tolerance;
   tolerance.format = {contract.design.subpixel_bits, contract.design.guard_bits,
                       contract.design.depth_bits, 4, 8};
-  tolerance.depth_ulp = options.depth_ulp;
-  tolerance.color_lsb = options.color_lsb;
-  studies::FrameJudge judge(scene.frame, tolerance, dump);
-  for_each_triangle(scene, "judging", &progress,
-                    [&](const scene::ScreenTriangle& triangle) { judge.triangle(triangle); });
+  tolerance.depth_ulp = options.depth_ulp.value_or(tolerance.depth_ulp);
+  tolerance.color_lsb = options.color_lsb.value_or(tolerance.color_lsb);
+  const FrameVerdict verdict = studies::judge_frame(
+      scene.frame, tolerance, dump, scene.mesh.get(), [&](const char* phase, const auto& visit) {
+        for_each_triangle(scene, phase, &progress, visit);
+      });
   const scene::Counters input = scene.source->counters();
-  const std::vector<size_t> wrong = judge.wrong();
-  std::optional<Diagnosis> first;
-  if (!wrong.empty()) {
-    studies::FrameDiagnosis diagnosis(scene.frame, tolerance, dump, wrong.front(),
-                                      scene.mesh.get());
-    for_each_triangle(scene, "explaining", &progress,
-                      [&](const scene::ScreenTriangle& triangle) { diagnosis.triangle(triangle); });
-    first = diagnosis.result();
-  }
   progress.clear();
   print_notes(output, scene);
 
@@ -120,8 +97,8 @@ int run(const JudgeOptions& options) {
             {"color_lsb", tolerance.color_lsb},
             {"triangles", input.triangles},
             {"samples", samples},
-            {"verdict", wrong.empty() ? "holds" : "fails"},
-            {"samples_wrong", wrong.size()}};
+            {"verdict", verdict.holds() ? "holds" : "fails"},
+            {"samples_wrong", verdict.wrong.size()}};
   std::vector<std::string> judged;
   if (dump.hits) judged.emplace_back("hits");
   if (dump.depth) judged.emplace_back("depth");
@@ -134,24 +111,17 @@ int run(const JudgeOptions& options) {
   output.row("tolerance", fmt::format("{} subpixel bits, {} depth bits, {} ulp, {} LSB",
                                       tolerance.format.subpixel_bits, tolerance.format.depth_bits,
                                       tolerance.depth_ulp, tolerance.color_lsb));
-  output.row("samples wrong", fmt::format("{} of {}", grouped(wrong.size()), grouped(samples)));
-  if (first) {
-    json["first"] = diagnosis_json(*first);
-    output.row("first",
-               fmt::format("({}, {}), {}{}", first->x, first->y, spec::name_of(first->rule),
-                           first->triangle ? fmt::format(", triangle {}", *first->triangle)
-                                           : std::string()));
-    output.row("", first->what);
-    if (out) {
-      const std::string text = tri_text(scene, first->scene);
-      out->keep(std::fputs(text.c_str(), out->file()) >= 0);
-      output.row("smallest scene",
-                 fmt::format("{}: {} of its triangles", options.out, first->scene.size()));
-    }
+  output.row("samples wrong",
+             fmt::format("{} of {}", grouped(verdict.wrong.size()), grouped(samples)));
+  if (verdict.first) {
+    json["first"] = diagnosis_json(*verdict.first);
+    output.row("first", diagnosis_text(*verdict.first));
+    output.row("", verdict.first->what);
+    if (out) write_smallest_scene(options, scene.frame, *verdict.first, &*out, output);
   }
-  output.line("{}", wrong.empty() ? "It holds." : "IT DOES NOT HOLD.");
+  output.line("{}", verdict.holds() ? "It holds." : "IT DOES NOT HOLD.");
   output.json(json);
-  return wrong.empty() ? kHolds : kMismatch;
+  return verdict.holds() ? kHolds : kMismatch;
 }
 
 }  // namespace
@@ -161,11 +131,7 @@ void add_judge(CLI::App* program, int* exit_code) {
   auto* command =
       program->add_subcommand("judge", "The frame of any rasterizer against exact arithmetic");
   add_scene_options(command, options.get());
-  command
-      ->add_option("--dump", options->dump,
-                   "Folder with those of hits.u16, depth.u32 and color.rgba that there are")
-      ->required()
-      ->type_name("DIR");
+  command->get_option("scene")->required(false);
   command
       ->add_option("--subpixel-bits", options->subpixel_bits,
                    "Positions are snapped to 2^-S px; default: the design's, 8")
@@ -174,17 +140,47 @@ void add_judge(CLI::App* program, int* exit_code) {
       ->add_option("--depth-bits", options->depth_bits,
                    "Of a depth code; default: the design's, 24")
       ->type_name("N");
-  command->add_option("--depth-ulp", options->depth_ulp, "Greatest error of a depth, codes")
+  auto* portable = command->add_option("--portable", options->portable,
+                                       "A file of portable cases, in place of a scene");
+  portable->type_name("FILE");
+  for (CLI::Option* of_a_scene : command->get_options()) {
+    const std::string& name = of_a_scene->get_single_name();
+    const bool is_of_both =
+        name == "help" || name == "json" || name == "quiet" || name == "portable";
+    if (!is_of_both) portable->excludes(of_a_scene);
+  }
+  command
+      ->add_flag("--drawn-only", options->drawn_only,
+                 "With --portable: cases that have no folder are left out")
+      ->needs(portable);
+  command
+      ->add_option("--dump", options->dump,
+                   "Folder with those of hits.u16, depth.u32 and color.rgba that there are; with "
+                   "--portable it has such a folder for each case, by its name")
+      ->required()
+      ->type_name("DIR");
+  command
+      ->add_option("--depth-ulp", options->depth_ulp,
+                   "Greatest error of a depth, codes; default: 1, of portable cases their file's")
       ->check(CLI::Range(0., 4294967296.))
-      ->type_name("E")
-      ->capture_default_str();
-  command->add_option("--color-lsb", options->color_lsb, "Greatest error of a colour, of 255")
+      ->type_name("E");
+  command
+      ->add_option("--color-lsb", options->color_lsb,
+                   "Greatest error of a colour, of 255; default: 1, of portable cases their file's")
       ->check(CLI::Range(0., 255.))
-      ->type_name("E")
-      ->capture_default_str();
+      ->type_name("E");
   command->add_option("-o,--out", options->out, "The triangles that show the first wrong sample")
       ->type_name("FILE.tri");
-  command->callback([options, exit_code] { *exit_code = run(*options); });
+  command->callback([options, exit_code] {
+    if (options->scene.empty() && options->portable.empty()) {
+      throw UsageError("expected a SCENE or --portable FILE");
+    }
+    try {
+      *exit_code = options->portable.empty() ? judge_scene(*options) : judge_portable(*options);
+    } catch (const vectors::Refused& error) {
+      throw UsageError(error.what());
+    }
+  });
 }
 
 }  // namespace pineda::cli

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cli/models.h"
+#include "studies/portable/portable_file.h"
 #include "studies/vectors/benches.h"
 #include "studies/vectors/timed_coverage.h"
 #include "vectors/coverage/coverage.h"
@@ -110,6 +111,7 @@ struct InTime<vectors::FrameCase> {
 };
 
 int info(const VectorOptions& options) {
+  if (studies::is_portable(options.file)) return portable_info(options);
   const Output output(options);
   Json json = with_case(vectors::read_header(options.file).unit, [&](auto kind) {
     using Case = decltype(kind);
@@ -303,16 +305,31 @@ void add_export(CLI::App* parent, int* exit_code) {
   command->add_option("FILE", options->file, "The file")->required()->type_name("");
   auto* forms = command->add_option_group("form");
   const auto form = [&, chosen = &options->form](const char* name, const char* what) {
-    forms->add_flag_callback(
+    return forms->add_flag_callback(
         "--" + std::string(name), [chosen, name] { *chosen = name; }, what);
   };
   form("readmemh", "A folder, a file a stream: a packed row a line; rows.hex, vectors.svh: sizes");
   form("csv", "A folder, a file a stream: a row a line");
   form("json", "A file: columns, and of each case the rows of its streams");
+  auto* portable =
+      form("portable", "Of frames: a file of cases for any rasterizer, for judge --portable");
+  form("tri", "Of portable cases: a folder with a scene a case");
   forms->require_option(1);
   command->add_option("-o,--out", options->result, "The folder or file")
       ->required()
       ->type_name("PATH");
+  command
+      ->add_option("--depth-ulp", options->depth_ulp,
+                   "With --portable: greatest error of a depth, codes; default: 1")
+      ->check(CLI::Range(0., 4294967296.))
+      ->needs(portable)
+      ->type_name("E");
+  command
+      ->add_option("--color-lsb", options->color_lsb,
+                   "With --portable: greatest error of a colour, of 255; default: 1")
+      ->check(CLI::Range(0., 255.))
+      ->needs(portable)
+      ->type_name("E");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
 }
 

@@ -11,9 +11,12 @@
 namespace pineda::cli {
 
 /// What vectors are exported as.
-enum class VectorForm { kReadmemh, kCsv, kJson };
-inline constexpr spec::Name<VectorForm> kVectorFormNames[] = {
-    {VectorForm::kReadmemh, "readmemh"}, {VectorForm::kCsv, "csv"}, {VectorForm::kJson, "json"}};
+enum class VectorForm { kReadmemh, kCsv, kJson, kPortable, kTri };
+inline constexpr spec::Name<VectorForm> kVectorFormNames[] = {{VectorForm::kReadmemh, "readmemh"},
+                                                              {VectorForm::kCsv, "csv"},
+                                                              {VectorForm::kJson, "json"},
+                                                              {VectorForm::kPortable, "portable"},
+                                                              {VectorForm::kTri, "tri"}};
 constexpr const auto& names(VectorForm) { return kVectorFormNames; }
 
 struct VectorOptions : Options {
@@ -22,9 +25,10 @@ struct VectorOptions : Options {
   int level = 1;
   std::optional<uint64_t> count;
   std::string on = "rtl";
-  std::string command;  // of shrink, in place of the RTL
-  std::string result;   // of shrink and export
-  std::string form;     // of export
+  std::string command;                         // of shrink, in place of the RTL
+  std::string result;                          // of shrink and export
+  std::string form;                            // of export
+  std::optional<double> depth_ulp, color_lsb;  // of portable cases
 };
 
 /// Calls work(Case{}) with the case of a unit.
@@ -57,5 +61,12 @@ int shrink_vectors(const VectorOptions& options);
 
 /// The streams in another form.
 int export_vectors(const VectorOptions& options);
+
+/// Frames as cases for any rasterizer.
+void export_portable(const VectorOptions& options, const Output& output);
+/// Portable cases as a folder of .tri files.
+void export_scenes(const VectorOptions& options, const Output& output);
+/// What a file of portable cases holds.
+int portable_info(const VectorOptions& options);
 
 }  // namespace pineda::cli

@@ -158,21 +158,19 @@ uint64_t export_json(const std::string& path, const Json& header, vectors::Reade
 
 int export_vectors(const VectorOptions& options) {
   const Output output(options);
+  const VectorForm form = *spec::named<VectorForm>(options.form);
+  if (form == VectorForm::kPortable || form == VectorForm::kTri) {
+    (form == VectorForm::kTri ? export_scenes : export_portable)(options, output);
+    return kHolds;
+  }
   with_case(vectors::read_header(options.file).unit, [&](auto kind) {
     using Case = decltype(kind);
     vectors::Reader<Case> reader(options.file);
-    uint64_t cases = 0;
-    switch (*spec::named<VectorForm>(options.form)) {
-      case VectorForm::kReadmemh:
-        cases = export_readmemh(options.result, &reader);
-        break;
-      case VectorForm::kCsv:
-        cases = export_csv(options.result, &reader);
-        break;
-      case VectorForm::kJson:
-        cases = export_json(options.result, header_json(options, reader.header()), &reader);
-        break;
-    }
+    const uint64_t cases =
+        form == VectorForm::kReadmemh ? export_readmemh(options.result, &reader)
+        : form == VectorForm::kCsv
+            ? export_csv(options.result, &reader)
+            : export_json(options.result, header_json(options, reader.header()), &reader);
     output.line("{}: {} cases of {}, {}", options.result, grouped(cases),
                 spec::name_of(Case::kUnit), reader.header().contract.design.name);
   });

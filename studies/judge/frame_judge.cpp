@@ -185,6 +185,16 @@ bool FrameJudge::is_wrong(size_t sample) const {
   return true;
 }
 
+std::vector<std::optional<uint32_t>> FrameJudge::seen(size_t sample) const {
+  std::vector<std::optional<uint32_t>> triangles;
+  for (auto at = static_cast<int32_t>(sample); at >= 0; at = state_[static_cast<size_t>(at)].next) {
+    const uint32_t triangle = state_[static_cast<size_t>(at)].triangle;
+    triangles.push_back(triangle == kNone ? std::nullopt : std::optional(triangle));
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
 std::vector<size_t> FrameJudge::wrong() const {
   std::vector<size_t> samples;
   for (size_t i = 0; i < hits_.size(); ++i) {

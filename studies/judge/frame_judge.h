@@ -71,6 +71,12 @@ class FrameJudge {
   /// The samples that are wrong, row by row: indices.
   std::vector<size_t> wrong() const;
 
+  /// How many triangles cover a sample.
+  uint16_t hits(size_t sample) const { return hits_[sample]; }
+  /// The triangles that may be seen there, by their place in the order of drawing; nothing stands for
+  /// what was cleared. The dump must have depths or colours.
+  std::vector<std::optional<uint32_t>> seen(size_t sample) const;
+
  private:
   // What a sample may hold.
   struct State {
