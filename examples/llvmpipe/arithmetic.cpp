@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#ifdef __x86_64__
+#include <xmmintrin.h>
+#endif
 
 namespace pineda::llvmpipe {
 namespace {
@@ -74,11 +77,12 @@ std::vector<Corner> clipped(const std::vector<Corner>& polygon, size_t border,
     const float before = distance(from, border), after = distance(to, border);
     if (before >= 0) result.push_back(from);
     if ((before >= 0) == (after >= 0)) continue;
-    // From the corner that is nearer to the border.
+    // From the corner that is nearer to the border, of two alike from the inner one.
     const float near = std::min(std::fabs(before), std::fabs(after));
     const float share = near / (std::fabs(before) + std::fabs(after));
-    result.push_back(std::fabs(before) < std::fabs(after) ? between(from, to, share, viewport)
-                                                          : between(to, from, share, viewport));
+    const bool is_from = std::fabs(before) < std::fabs(after) || (before == -after && before > 0);
+    result.push_back(is_from ? between(from, to, share, viewport)
+                             : between(to, from, share, viewport));
   }
   return result;
 }
@@ -125,6 +129,17 @@ float offset_of(const Piece& p, const spec::FrameState& frame) {
 }
 
 }  // namespace
+
+#ifdef __x86_64__
+DenormalsAreZero::DenormalsAreZero() : before_(_mm_getcsr()) {
+  constexpr unsigned kOperands = 0x40, kResults = 0x8000;
+  _mm_setcsr(before_ | kOperands | kResults);
+}
+DenormalsAreZero::~DenormalsAreZero() { _mm_setcsr(before_); }
+#else
+DenormalsAreZero::DenormalsAreZero() = default;
+DenormalsAreZero::~DenormalsAreZero() = default;
+#endif
 
 float FloatPlane::at(int x, int y) const {
   return multiply_add(dy, static_cast<float>(y), multiply_add(dx, static_cast<float>(x), origin));

@@ -10,6 +10,18 @@
 
 namespace pineda::llvmpipe {
 
+/// As long as it lives, denormal numbers are zero, as they are in llvmpipe's threads. On x86 alone.
+class DenormalsAreZero {
+ public:
+  DenormalsAreZero();
+  ~DenormalsAreZero();
+  DenormalsAreZero(const DenormalsAreZero&) = delete;
+  DenormalsAreZero& operator=(const DenormalsAreZero&) = delete;
+
+ private:
+  unsigned before_ = 0;  // the control word
+};
+
 /// A corner of what is drawn.
 struct Corner {
   std::array<float, 4> clip;    // position in clip space

@@ -77,6 +77,7 @@ class Explanation {
 
   /// Prints the samples; true if all are explained.
   bool print() {
+    const llvmpipe::DenormalsAreZero as_in_mesa;
     for_each([&](int64_t id, const ExactTriangle& exact, const std::vector<Drawable>& pieces) {
       draw(id, exact);
       for (const Drawable& piece : pieces) draw(id, piece);

@@ -13,7 +13,7 @@
 namespace pineda::studies {
 namespace {
 
-constexpr int kColorTop = 255;
+constexpr int64_t kColorTop = 255;
 
 /// w with the 1/w of a vertex, up to the triangle's common factor.
 float w_of(const spec::Vertex& v, int greatest_shift, int inverse_w_bits) {
