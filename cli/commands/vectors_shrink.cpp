@@ -152,7 +152,7 @@ class Shrinking {
     try {
       tb::FrameBench bench(*library_, bench_of(value));
       vectors::begin(&bench, value);
-      bench.run_close_up(value.frame, vectors::triangles_of(value), nullptr, window);
+      bench.run_close_up(value.frame, vectors::each_of(value.in), nullptr, window);
     } catch (const tb::RtlError& error) {
       // What ended the frame before ends it again: the waveform goes as far.
       if (error.what() != first) throw;
@@ -166,11 +166,11 @@ class Shrinking {
   void look_closer(const Other&, Json*) {}
 
   std::optional<tb::Cycle> first_difference(const vectors::FrameCase& value, std::string* first) {
-    tb::Scoreboard scoreboard("RTL", contract_, value.frame, vectors::triangles_of(value));
+    tb::Scoreboard scoreboard("RTL", contract_, value.frame, vectors::each_of(value.in));
     tb::FrameBench bench(*library_, bench_of(value));
     try {
       vectors::begin(&bench, value);
-      bench.run(value.frame, vectors::triangles_of(value), &scoreboard);
+      bench.run(value.frame, vectors::each_of(value.in), &scoreboard);
       scoreboard.finish();
       *first = scoreboard.first_divergence();
       return scoreboard.first_cycle();

@@ -28,25 +28,25 @@ InterpZtestCase run(tb::InterpZtestBench* bench, const InterpZtestCase& inputs) 
   return got;
 }
 
-tb::NextTriangle triangles_of(const FrameCase& inputs) {
-  return [&inputs, next = size_t{0}](spec::Triangle* triangle) mutable {
-    if (next == inputs.in.size()) return false;
-    *triangle = inputs.in[next++];
+tb::NextTriangle each_of(const std::vector<spec::Triangle>& triangles) {
+  return [&triangles, next = size_t{0}](spec::Triangle* triangle) mutable {
+    if (next == triangles.size()) return false;
+    *triangle = triangles[next++];
     return true;
   };
 }
 
 void begin(tb::FrameBench* bench, const FrameCase& inputs) {
   if (!inputs.reset_cycle) return;
-  bench->run_into_reset(inputs.frame, triangles_of(inputs),
-                        static_cast<tb::Cycle>(*inputs.reset_cycle));
+  const std::vector<spec::Triangle> begun = begun_triangles(bench->contract(), inputs);
+  bench->run_into_reset(inputs.frame, each_of(begun), static_cast<tb::Cycle>(*inputs.reset_cycle));
 }
 
 FrameCase run(tb::FrameBench* bench, const FrameCase& inputs) {
   FrameCase got = inputs;
   begin(bench, inputs);
   timing::Listener hits_are_counted;
-  got.counters = bench->run(inputs.frame, triangles_of(inputs), &hits_are_counted).counters;
+  got.counters = bench->run(inputs.frame, each_of(inputs.in), &hits_are_counted).counters;
   got.samples = samples_of(*bench, inputs.frame);
   return got;
 }

@@ -18,8 +18,8 @@ TraversalCase run(tb::TraversalBench* bench, const TraversalCase& inputs);
 InterpZtestCase run(tb::InterpZtestBench* bench, const InterpZtestCase& inputs);
 FrameCase run(tb::FrameBench* bench, const FrameCase& inputs);
 
-/// The triangles of a case, which must stay.
-tb::NextTriangle triangles_of(const FrameCase& inputs);
+/// Triangles one by one; they must stay.
+tb::NextTriangle each_of(const std::vector<spec::Triangle>& triangles);
 
 /// A frame that is reset on the way is begun and reset; another is not touched.
 void begin(tb::FrameBench* bench, const FrameCase& inputs);

@@ -169,10 +169,9 @@ void TimedCoverage::see(const FrameCase& value) {
   SeenTimedFrame seen{contract_, value, result};
   if (value.reset_cycle) {
     AtReset at_reset(static_cast<Cycle>(*value.reset_cycle), &seen);
-    result = top_.run(value.frame, value.in, &at_reset);
-  } else {
-    result = top_.run(value.frame, value.in);
+    top_.run(value.frame, begun_triangles(contract_, value), &at_reset);
   }
+  result = top_.run(value.frame, value.in);
   table_.see(seen);
 }
 

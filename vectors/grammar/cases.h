@@ -89,8 +89,12 @@ struct FrameCase {
   core::FrameCounters counters;
   PortStalls ports = {};
   std::optional<uint64_t> reset_cycle =
-      {};  // the same frame is begun before and reset in this cycle
+      {};  // a frame of begun_triangles() is begun before and reset in this cycle
 };
+
+/// Those of the frame, with each depth and attribute from the other end of its range: what a reset leaves
+/// behind is not what the frame draws.
+std::vector<spec::Triangle> begun_triangles(const spec::Contract& contract, const FrameCase& value);
 
 /// A counter of a frame, as files and mismatch lines name it. What depends on time is not in files.
 struct Counter {

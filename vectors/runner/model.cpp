@@ -48,6 +48,20 @@ InterpZtestCase run_model(const Contract& c, const InterpZtestCase& inputs) {
   return result;
 }
 
+std::vector<spec::Triangle> begun_triangles(const Contract& c, const FrameCase& value) {
+  const int64_t far = ((int64_t{1} << c.design.depth_bits) - 1) << spec::kDepthInputFractionBits;
+  const int32_t full = (1 << c.design.attribute_bits) - 1;
+  const auto channels = static_cast<size_t>(spec::channels(c.design));
+  std::vector<spec::Triangle> triangles = value.in;
+  for (spec::Triangle& triangle : triangles) {
+    for (spec::Vertex& vertex : triangle.v) {
+      vertex.z = far - vertex.z;
+      for (size_t i = 0; i < channels; ++i) vertex.attr[i] = full - vertex.attr[i];
+    }
+  }
+  return triangles;
+}
+
 FrameCase run_model(const Contract& c, const FrameCase& inputs) {
   FrameCase result = inputs;
   result.counters = {};
