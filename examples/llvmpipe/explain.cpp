@@ -184,8 +184,7 @@ class Explanation {
       const auto [inside, corner] = exact.inside_px(x, y);
       why_[i] += fmt::format(
           "\n  triangle {}: drawn {} times, expected {}: the sample is {:.6f} px {} of the edge "
-          "from "
-          "corner {}; {} pieces are left after clipping, which have it",
+          "from corner {}; {} pieces are left after clipping, which have it",
           id, hits, expected, std::fabs(inside), side_of(inside), corner, pieces.size());
       for (const Drawable& piece : pieces) {
         const double distance = piece.inside_px(x, y);
@@ -244,7 +243,9 @@ int main(int argc, char** argv) {
   }
   try {
     const auto contract = spec::contract(*spec::find_design("persp"));
-    scene::Scene scene = scene::open_scene(contract, argv[1], {});
+    scene::Options options;
+    options.multi_pass = true;
+    scene::Scene scene = scene::open_scene(contract, argv[1], options);
     const double depth_ulp = argc > 3 ? tolerance_of(argv[3]) : 1;
     const double color_lsb = argc > 4 ? tolerance_of(argv[4]) : 1;
     return Explanation(&scene, argv[2], depth_ulp, color_lsb).print() ? 0 : 1;

@@ -1,9 +1,15 @@
 #!/bin/sh
 # explain_frames.sh DRAW EXPLAIN "SCENE..." [FILE]: draws each scene with llvmpipe and prints how many of its
 # samples are not exact, and how many of these its arithmetic does not explain. Exit code 1 if any is not. With
-# FILE, the first byte of that file of the frame is changed beforehand.
+# FILE, the first byte of that file of the frame is changed beforehand. Exit code 77 where Mesa is another than
+# the one that is explained.
 set -eu
 draw=$1 explain=$2 scenes=$3 file=${4:-}
+version=$("$draw" --version)
+case $version in
+  *"Mesa 22.3."*) ;;
+  *) echo "expected Mesa 22.3, whose arithmetic is explained, got: $version"; exit 77 ;;
+esac
 frame=$(mktemp -d)
 trap 'rm -rf "$frame"' EXIT
 bad=0

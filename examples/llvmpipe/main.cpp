@@ -1,5 +1,6 @@
 // Draws a scene with Mesa's llvmpipe, off screen by OSMesa, and writes the frame for pineda judge:
 //   draw_by_llvmpipe SCENE DIR
+//   draw_by_llvmpipe --version     # of OpenGL and Mesa
 //
 // Positions are given to OpenGL as they are snapped to 1/256 px, which is what llvmpipe snaps to.
 #define GL_GLEXT_PROTOTYPES 0
@@ -71,6 +72,7 @@ struct Gl {
   PINEDA_GL(decltype(&glPixelStorei), PixelStorei);
   PINEDA_GL(decltype(&glReadPixels), ReadPixels);
   PINEDA_GL(decltype(&glGetError), GetError);
+  PINEDA_GL(decltype(&glGetString), GetString);
 #undef PINEDA_GL
 };
 
@@ -259,11 +261,17 @@ scene::Frame drawn(const scene::Scene& scene) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::fputs("usage: draw_by_llvmpipe SCENE DIR\n", stderr);
+  const bool asks_version = argc == 2 && std::string(argv[1]) == "--version";
+  if (argc != 3 && !asks_version) {
+    std::fputs("usage: draw_by_llvmpipe SCENE DIR, or draw_by_llvmpipe --version\n", stderr);
     return 2;
   }
   try {
+    if (asks_version) {
+      const Context context;
+      fmt::print("{}\n", reinterpret_cast<const char*>(Gl().GetString(GL_VERSION)));
+      return 0;
+    }
     const auto contract = spec::contract(*spec::find_design("persp"));
     scene::write_dump(argv[2], drawn(scene::open_scene(contract, argv[1], {})));
   } catch (const std::exception& error) {
