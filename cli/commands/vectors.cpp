@@ -98,6 +98,7 @@ struct InTime {
   explicit InTime(const spec::Contract&) {}
   void see(const Case&) {}
   void list(std::vector<vectors::PointHits>*) const {}
+  void say(const Output&, Json*) const {}
 };
 template <>
 struct InTime<vectors::FrameCase> {
@@ -105,6 +106,13 @@ struct InTime<vectors::FrameCase> {
   void see(const vectors::FrameCase& value) { coverage.see(value); }
   void list(std::vector<vectors::PointHits>* all) const {
     for (vectors::PointHits& point : coverage.points()) all->push_back(std::move(point));
+  }
+  void say(const Output& output, Json* json) const {
+    (*json)["not_timed"] = coverage.too_large();
+    if (coverage.too_large() == 0) return;
+    output.row("not seen in time", fmt::format("{} frames of more than {} samples",
+                                               grouped(coverage.too_large()),
+                                               grouped(vectors::kTimedSamples)));
   }
 
   vectors::TimedCoverage coverage;
@@ -136,9 +144,10 @@ int info(const VectorOptions& options) {
                 spec::name_of(header.unit), header.contract.design.name, header.level, header.seed);
     for (const auto& [name, count] : tokens) output.row(name, grouped(count));
     output.row("greatest frame", fmt::format("{}x{}", width, height));
+    Json told = header_json(options, header);
+    in_time.say(output, &told);
     output.line("\n{:<24}{:>8}", "class", "cases");
     for (const auto& [name, count] : classes) output.line("{:<24}{:>8}", name, count);
-    Json told = header_json(options, header);
     told["cases"] = cases;
     told["tokens"] = tokens;
     told["greatest_frame"] = {{"width", width}, {"height", height}};

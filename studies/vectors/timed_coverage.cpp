@@ -164,6 +164,10 @@ TimedCoverage::TimedCoverage(const spec::Contract& contract)
       table_(vectors::points<SeenTimedFrame>(), contract) {}
 
 void TimedCoverage::see(const FrameCase& value) {
+  if (int64_t{value.frame.width} * value.frame.height > kTimedSamples) {
+    ++too_large_;
+    return;
+  }
   top_.set_ready(tb::ready_of(value.ports.stalls()));
   timing::FrameResult result;
   SeenTimedFrame seen{contract_, value, result};

@@ -22,6 +22,8 @@ struct SeenTimedFrame {
 template <>
 const std::vector<Point<SeenTimedFrame>>& points<SeenTimedFrame>();
 
+inline constexpr int64_t kTimedSamples = 1 << 22;
+
 /// Collects the bins that frames hit in time, with an ideal memory of the design's latency.
 ///
 /// In       frames in the formats of the design, whose ports stall as they say.
@@ -33,11 +35,14 @@ class TimedCoverage {
 
   void see(const FrameCase& value);
   std::vector<PointHits> points() const;
+  /// Frames of more than kTimedSamples, which were not drawn: the model's memories are whole.
+  uint64_t too_large() const { return too_large_; }
 
  private:
   spec::Contract contract_;
   timing::RasterTop top_;
   Table<SeenTimedFrame> table_;
+  uint64_t too_large_ = 0;
 };
 
 }  // namespace pineda::vectors
