@@ -73,10 +73,18 @@ struct Unit : PinedaRtl {
 
 #define PORT(name) ports.push_back(port(#name, model->name));
 
+// Which of the mutants in a netlist of them runs; 0: none.
+#ifdef PINEDA_MUTANTS
+#define MUTANT_PORT PORT(mutant_i)
+#else
+#define MUTANT_PORT
+#endif
+
 #ifdef PINEDA_HAS_SETUP
 struct Setup : Unit<Vsetup_unit> {
   Setup() {
     PORT(rst_ni)
+    MUTANT_PORT
     PORT(frame_i)
     PORT(tri_valid_i)
     PORT(tri_ready_o)
@@ -93,6 +101,7 @@ struct Setup : Unit<Vsetup_unit> {
 struct Traversal : Unit<Vtraversal_unit> {
   Traversal() {
     PORT(rst_ni)
+    MUTANT_PORT
     PORT(prim_valid_i)
     PORT(prim_ready_o)
     PORT(prim_i)
@@ -132,6 +141,7 @@ struct Traversal : Unit<Vtraversal_unit> {
 struct InterpZtest : Unit<Vinterp_ztest_unit> {
   InterpZtest() {
     PORT(rst_ni)
+    MUTANT_PORT
 #ifdef PINEDA_DEPTH
     PORT(depth_func_i)
     PORT(depth_write_i)

@@ -25,6 +25,12 @@ std::string cached_plugin(const spec::Contract& contract,
 std::string cached_bench_plugin(const spec::Contract& contract, const std::string& compiler,
                                 const std::function<void(const std::string&)>& say);
 
+/// The same of one unit, setup, traversal or interp_ztest, made of this Verilog in place of the RTL:
+/// a netlist of mutants, with a port mutant_i, built by tb/plugin.mk.
+std::string cached_mutants_plugin(const spec::Contract& contract, const std::string& unit,
+                                  const std::string& verilog,
+                                  const std::function<void(const std::string&)>& say);
+
 /// Is there such a program on the path?
 bool on_path(const std::string& tool);
 

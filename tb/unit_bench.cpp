@@ -64,6 +64,7 @@ InterpZtestBench::Writes InterpZtestBench::run_on(PagedBuffer memory, const spec
     if (cycle - last_event > kDeadlockCycles) {
       throw RtlError(fmt::format("interp_ztest: nothing moves since cycle {}", last_event));
     }
+    require_in_time(unit_, start, cycle_limit_);
     done = next == stamps.size() && !stamps_.offered() && idle_.bit();
     unit_.clock();
     if (took) stamps_.withdraw();

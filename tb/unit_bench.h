@@ -1,6 +1,8 @@
 // One Verilated unit on its own: tokens in, tokens out, in order, with the cycles of both.
 #pragma once
 
+#include <limits>
+
 #include "tb/frame_bench.h"
 
 namespace pineda::tb {
@@ -16,6 +18,14 @@ struct Trace {
     cycles.push_back(cycle);
   }
 };
+
+inline constexpr Cycle kNoCycleLimit = std::numeric_limits<Cycle>::max();
+
+/// Throws RtlError once a run that began in cycle `start` takes more than `limit` cycles.
+inline void require_in_time(const RtlUnit& unit, Cycle start, Cycle limit) {
+  if (unit.cycle() - start <= limit) return;
+  throw RtlError(fmt::format("{}: not idle after {} cycles", unit.name(), limit));
+}
 
 /// A unit with one stream in and one out: setup (Triangle -> SetupPrim), traversal
 /// (SetupPrim -> Stamp).
@@ -35,6 +45,8 @@ class UnitBench {
   RtlUnit& unit() { return unit_; }
   /// Of the runs that follow, in cycles of each.
   void set_stalls(const Stalls& stalls) { stalls_ = stalls; }
+  /// A run that takes more cycles throws RtlError.
+  void set_cycle_limit(Cycle cycles) { cycle_limit_ = cycles; }
 
   /// Feeds all tokens, then waits until the unit is idle. *accepted, if given, gets the cycles in
   /// which it took them.
@@ -58,6 +70,7 @@ class UnitBench {
       if (cycle - last_event > kDeadlockCycles) {
         throw RtlError(fmt::format("{}: nothing moves since cycle {}", unit_.name(), last_event));
       }
+      require_in_time(unit_, start, cycle_limit_);
       done = next == tokens.size() && !in_.offered() && idle_.bit();
       unit_.clock();
       if (took) in_.withdraw();
@@ -68,6 +81,7 @@ class UnitBench {
  private:
   RtlUnit unit_;
   Stalls stalls_;
+  Cycle cycle_limit_ = kNoCycleLimit;
   SourceEnd<In> in_;
   SinkEnd<Out> out_;
   PortData idle_;
@@ -98,6 +112,7 @@ class InterpZtestBench {
  public:
   InterpZtestBench(const RtlLibrary& library, const BenchOptions& options);
 
+  RtlUnit& unit() { return unit_; }
   struct Writes {
     Trace<spec::DepthWrite> depth;
     Trace<spec::ColorWrite> color;
@@ -112,10 +127,12 @@ class InterpZtestBench {
                 const std::vector<spec::Stamp>& stamps, std::vector<Cycle>* accepted = nullptr);
   core::FrameBuffer buffer() const { return memory_.memories().whole(); }
   void set_stalls(const Stalls& stalls) { stalls_ = stalls; }
+  void set_cycle_limit(Cycle cycles) { cycle_limit_ = cycles; }
 
  private:
   RtlUnit unit_;
   Stalls stalls_;
+  Cycle cycle_limit_ = kNoCycleLimit;
   SourceEnd<spec::Stamp> stamps_;
   std::optional<PortData> depth_func_, depth_write_;
   PortData idle_;

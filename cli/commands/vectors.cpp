@@ -307,6 +307,41 @@ void add_shrink(CLI::App* parent, int* exit_code) {
   add_time_options(command, options.get());
 }
 
+void add_score(CLI::App* parent, int* exit_code) {
+  const auto [command, options] =
+      add(parent, "score", "Mutants of the RTL: which vectors kill them, which are equivalent",
+          score_vectors, exit_code);
+  options->level = vectors::kMaxLevel;
+  options->unit = "all";
+  options->seed = 1;
+  add_output_options(command, options.get());
+  command
+      ->add_option("FILES", options->files,
+                   "Vectors in place of the levels, at most one file a unit")
+      ->type_name("");
+  command->add_option("--unit", options->unit, "The unit: setup, traversal, interp_ztest or all")
+      ->check(CLI::IsMember({"setup", "traversal", "interp_ztest", "all"}))
+      ->type_name("UNIT")
+      ->capture_default_str();
+  command->add_option("--design", options->design, "Design point, or a design file")
+      ->type_name("NAME|FILE.toml")
+      ->capture_default_str();
+  command->add_option("--level", options->level, "The last level that is tried")
+      ->check(CLI::Range(1, vectors::kMaxLevel))
+      ->type_name("L")
+      ->capture_default_str();
+  command->add_option("--mutants", options->mutants, "Of all units together")
+      ->check(CLI::Range(1, 60'000))
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Of the choice of mutants")
+      ->check(CLI::Range(0, 1'000'000'000))
+      ->type_name("S")
+      ->capture_default_str();
+  command->add_flag("--all", options->all, "Print all mutants, not only those that live");
+  command->add_flag("--no-proofs", options->no_proofs, "Leave what lives undecided");
+}
+
 void add_export(CLI::App* parent, int* exit_code) {
   const auto [command, options] =
       add(parent, "export", "The streams as memories for $readmemh, as tables or as JSON",
@@ -352,6 +387,7 @@ void add_vectors(CLI::App* program, int* exit_code) {
   add_info(command, exit_code);
   add_run(command, exit_code);
   add_shrink(command, exit_code);
+  add_score(command, exit_code);
   add_export(command, exit_code);
 }
 

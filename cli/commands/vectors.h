@@ -29,6 +29,11 @@ struct VectorOptions : Options {
   std::string result;                          // of shrink and export
   std::string form;                            // of export
   std::optional<double> depth_ulp, color_lsb;  // of portable cases
+  // Of score
+  std::vector<std::string> files;
+  int mutants = 1000;  // of all units together
+  bool all = false;    // printed, not only those that live
+  bool no_proofs = false;
 };
 
 /// Calls work(Case{}) with the case of a unit.
@@ -58,6 +63,9 @@ inline Json header_json(const VectorOptions& options, const vectors::Header& hea
 
 /// The first case that fails, made smaller.
 int shrink_vectors(const VectorOptions& options);
+
+/// How many mutants of the RTL die.
+int score_vectors(const VectorOptions& options);
 
 /// The streams in another form.
 int export_vectors(const VectorOptions& options);

@@ -84,9 +84,11 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-ToolRuns::ToolRuns(fs::path cache, std::function<void(const std::string&)> say)
+ToolRuns::ToolRuns(fs::path cache, const std::vector<std::string>& tools,
+                   std::function<void(const std::string&)> say)
     : cache_(std::move(cache)), say_(std::move(say)) {
-  for (const Tool& tool : kTools) {
+  for (const std::string& name : tools) {
+    const Tool& tool = tool_named(name);
     if (!tb::on_path(tool.name)) {
       throw AreaError(fmt::format("expected {} on the path: install {}", tool.name, tool.package));
     }
@@ -173,7 +175,7 @@ std::vector<std::string> ToolRuns::versions() const {
 }
 
 ToolRuns area_tool_runs(std::function<void(const std::string&)> say) {
-  return {fs::absolute(tb::plugin_cache_folder()) / "area", std::move(say)};
+  return {fs::absolute(tb::plugin_cache_folder()) / "area", {"yosys", "sta"}, std::move(say)};
 }
 
 }  // namespace pineda::studies

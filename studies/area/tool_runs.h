@@ -30,10 +30,11 @@ std::string first_line_of(const std::string& command);
 /// from content, so a result is found again exactly as long as nothing that it depends on changes.
 class ToolRuns {
  public:
-  /// `say` hears before something runs that takes its time.
+  /// `tools`: those that runs will need. `say` hears before something runs that takes its time.
   ///
   /// Errors   AreaError: a tool is missing, with what to install; the cache cannot be written.
-  ToolRuns(std::filesystem::path cache, std::function<void(const std::string&)> say);
+  ToolRuns(std::filesystem::path cache, const std::vector<std::string>& tools,
+           std::function<void(const std::string&)> say);
 
   /// Puts a text into the cache; its name there.
   std::string keep(const std::string& text, const std::string& ending) const;

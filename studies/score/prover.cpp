@@ -1,0 +1,128 @@
+#include "studies/score/prover.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "studies/area/area_error.h"
+#include "studies/area/rtlil.h"
+
+namespace pineda::studies {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream)
+    throw AreaError(fmt::format("{}: expected this file, cannot read it", file.string()));
+  return text.str();
+}
+
+/// A unit in AIGER's binary form, whose mutant is told by the first values of 16 latches that never
+/// change. Their lines are text.
+class Circuit {
+ public:
+  Circuit(const fs::path& folder) : text_(read(folder / "legal.aig")) {
+    std::istringstream map(read(folder / "legal.map"));
+    for (std::string line; std::getline(map, line);) {
+      std::istringstream words(line);
+      std::string kind, name;
+      size_t latch = 0, bit = 0;
+      if (words >> kind >> latch >> bit >> name && kind == "latch" && name == "mutant_q") {
+        bits_[latch] = bit;
+      }
+    }
+    constexpr size_t kSelectBits = 16;
+    if (bits_.size() != kSelectBits) throw AreaError("the prover's netlist has lost mutant_q");
+  }
+
+  std::string with_mutant(int mutant) const {
+    std::istringstream header(text_.substr(0, text_.find('\n')));
+    std::string word;
+    size_t variables = 0, inputs = 0, latches = 0;
+    header >> word >> variables >> inputs >> latches;
+    size_t at = text_.find('\n') + 1;
+    std::string result = text_.substr(0, at);
+    for (size_t latch = 0; latch < latches; ++latch) {
+      const size_t end = text_.find('\n', at);
+      result.append(text_, at, end - at);
+      const auto bit = bits_.find(latch);
+      if (bit != bits_.end() && (mutant >> bit->second & 1) != 0) result += " 1";
+      result += '\n';
+      at = end + 1;
+    }
+    return result + text_.substr(at);
+  }
+
+ private:
+  std::string text_;
+  std::map<size_t, size_t> bits_;  // of mutant_q, by latch
+};
+
+std::string circuit_script(const std::string& unit, const MutantNetlist& netlist,
+                           const ToolRuns& runs) {
+  const std::string legal =
+      runs.keep(read(fs::path(PINEDA_SOURCE_DIR) / "studies/score" / (unit + "_legal.sv")), ".sv");
+  return fmt::format(
+      "read_rtlil {}\nread_verilog -sv -formal {} {}\nhierarchy -check -top {}_legal\n"
+      "proc\nflatten\nopt_clean\nmemory_map\nasync2sync\nopt_expr\nopt_clean\ndffunmap\n"
+      "simplemap\ntechmap\nsetundef -zero -init\naigmap\nopt_clean\n"
+      "write_aiger -symbols -map {}/legal.map {}/legal.aig\n",
+      netlist.rtlil, netlist.package, legal, unit, kOut, kOut);
+}
+
+/// Registers that are equal by induction become one; what is left is searched for a difference, then
+/// for a proof.
+std::string proof_script(const std::string& original, const std::string& mutant) {
+  constexpr int kSeconds = 10;
+  return fmt::format(
+      "! timeout -k 5 120 yosys-abc -q \"miter {0} {1}; strash; scleanup; lcorr; strash; "
+      "print_stats; bmc3 -T {2}; print_status; scorr; strash; pdr -T {2}; print_status\" "
+      "> {3}/log 2>&1 || true\n",
+      original, mutant, kSeconds, kOut);
+}
+
+/// What ABC's log says.
+Decision decision_of(const std::string& log) {
+  Decision decision;
+  if (log.find("Property proved") != std::string::npos ||
+      log.find("Status = 1") != std::string::npos) {
+    decision.proof = Proof::kEquivalent;
+  }
+  const std::string asserted = " was asserted in frame ";
+  if (const size_t at = log.find(asserted); at != std::string::npos) {
+    decision.proof = Proof::kDiffers;
+    decision.cycles = std::atoi(log.c_str() + at + asserted.size()) + 1;
+  }
+  return decision;
+}
+
+}  // namespace
+
+std::vector<Decision> decided(const std::string& unit, const MutantNetlist& netlist,
+                              const std::vector<int>& mutants, const ToolRuns& runs) {
+  if (mutants.empty()) return {};
+  const Circuit circuit(runs.run({{"yosys", circuit_script(unit, netlist, runs),
+                                   "mapping " + unit + " for the prover"}})
+                            .front());
+  const std::string original = runs.keep(circuit.with_mutant(0), ".aig");
+  std::vector<ToolRun> proofs;
+  for (const int mutant : mutants) {
+    const std::string file = runs.keep(circuit.with_mutant(mutant), ".aig");
+    proofs.push_back({"yosys", proof_script(original, file),
+                      fmt::format("proving mutant {} of {}", mutant, unit)});
+  }
+  std::vector<Decision> decisions;
+  for (const fs::path& folder : runs.run(proofs)) {
+    decisions.push_back(decision_of(read(folder / "log")));
+  }
+  return decisions;
+}
+
+}  // namespace pineda::studies
