@@ -127,7 +127,7 @@ std::string cached(const spec::Contract& contract, const Kind& kind,
     std::ofstream(work / "mutants.v") << kind.verilog;
     variables += fmt::format(
         " UNITS={}_unit RTL_SOURCES={}/mutants.v LINT= VERILATOR_WARNINGS='-Wno-fatal -Wno-lint' "
-        "CXXFLAGS='-O1 -DPINEDA_MUTANTS'",
+        "CXXFLAGS='-O0 -DPINEDA_MUTANTS'",
         kind.unit, work.string());
   }
   const std::string command = fmt::format(

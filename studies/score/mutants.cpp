@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <sstream>
 
 #include "model/spec/package.h"
@@ -56,16 +56,14 @@ struct Place {
 };
 
 Place place_of(const std::string& text) {
-  static const std::regex kPlace(R"(([^:]+):(\d+)\..*)");
-  std::smatch match;
-  if (!std::regex_match(text, match, kPlace)) return {};
-  return {match[1], std::stoul(match[2])};
+  const size_t colon = text.find(':');
+  if (colon == std::string::npos) return {};
+  return {text.substr(0, colon), std::strtoul(text.c_str() + colon + 1, nullptr, 10)};
 }
 
 /// Does a module's instance begin there? They are called u_NAME.
 bool begins_instance(const std::string& line) {
-  static const std::regex kInstance(R"(.*\bu_\w+ \(.*)");
-  return std::regex_match(line, kInstance);
+  return line.find("u_") != std::string::npos && line.back() == '(';
 }
 
 /// Where the mutant stands: of its places the last that is no instance of a module.
@@ -73,7 +71,7 @@ void set_place(const std::vector<std::string>& places, const Sources& sources, M
   for (const std::string& text : places) {
     const Place place = place_of(text);
     const auto source = sources.find(place.file);
-    if (source == sources.end() || place.line > source->second.lines.size()) continue;
+    if (source == sources.end() || place.line - 1 >= source->second.lines.size()) continue;
     const std::string& line = source->second.lines[place.line - 1];
     const std::string& file = source->second.name;
     mutant->in_multiplier |= file.rfind("lib/multiplier", 0) == 0;

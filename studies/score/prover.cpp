@@ -77,15 +77,16 @@ std::string circuit_script(const std::string& unit, const MutantNetlist& netlist
       netlist.rtlil, netlist.package, legal, unit, kOut, kOut);
 }
 
-/// Registers that are equal by induction become one; what is left is searched for a difference, then
-/// for a proof.
+/// Registers that are equal by induction become one; what is left is searched for a difference, and
+/// for a proof where none is found.
 std::string proof_script(const std::string& original, const std::string& mutant) {
-  constexpr int kSeconds = 10;
+  constexpr int kSearchSeconds = 10, kProofSeconds = 20, kMostSeconds = 60;
   return fmt::format(
-      "! timeout -k 5 120 yosys-abc -q \"miter {0} {1}; strash; scleanup; lcorr; strash; "
-      "print_stats; bmc3 -T {2}; print_status; scorr; strash; pdr -T {2}; print_status\" "
-      "> {3}/log 2>&1 || true\n",
-      original, mutant, kSeconds, kOut);
+      "! timeout -k 5 {4} yosys-abc -q \"miter {0} {1}; strash; scleanup; lcorr; strash; "
+      "write_aiger {5}/left.aig; bmc3 -T {2}; print_status\" > {5}/log 2>&1 || true\n"
+      "! grep -q 'was asserted' {5}/log || timeout -k 5 {4} yosys-abc -q "
+      "\"read_aiger {5}/left.aig; strash; pdr -T {3}; print_status\" >> {5}/log 2>&1 || true\n",
+      original, mutant, kSearchSeconds, kProofSeconds, kMostSeconds, kOut);
 }
 
 /// What ABC's log says.
