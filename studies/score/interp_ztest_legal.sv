@@ -17,7 +17,7 @@ module interp_ztest_legal (
 `ifdef PINEDA_HIERARCHICAL_Z
   input  logic [pineda_pkg::FRAME_SIZE_BITS-1:0] frame_width_i,
   input  logic [pineda_pkg::FRAME_SIZE_BITS-1:0] frame_height_i,
-  output logic [$bits(pineda_pkg::depth_max_t):0] max_seen_o,
+  output logic [pineda_pkg::DEPTH_MAX_BITS:0]    max_seen_o,
 `endif
   input  logic                       rd_ready_i,
   input  logic                       depth_ready_i,
@@ -81,7 +81,7 @@ module interp_ztest_legal (
       height_q <= frame_height_i;
     end
   end
-  assign max_seen_o = {rst_n_q && max_valid, {$bits(max){rst_n_q && max_valid}} & max};
+  assign max_seen_o = {rst_n_q && max_valid, {pineda_pkg::DEPTH_MAX_BITS{rst_n_q && max_valid}} & max};
 `endif
   assign read_seen_o = {rst_n_q && rd_valid, {pineda_pkg::DEPTH_READ_BITS{rst_n_q && rd_valid}} & read};
   assign depth_seen_o =

@@ -80,7 +80,7 @@ std::string circuit_script(const std::string& unit, const MutantNetlist& netlist
 /// Registers that are equal by induction become one; what is left is searched for a difference, and
 /// for a proof where none is found.
 std::string proof_script(const std::string& original, const std::string& mutant) {
-  constexpr int kSearchSeconds = 10, kProofSeconds = 20, kMostSeconds = 60;
+  constexpr int kSearchSeconds = 5, kProofSeconds = 10, kMostSeconds = 60;
   return fmt::format(
       "! timeout -k 5 {4} yosys-abc -q \"miter {0} {1}; strash; scleanup; lcorr; strash; "
       "write_aiger {5}/left.aig; bmc3 -T {2}; print_status\" > {5}/log 2>&1 || true\n"
