@@ -61,6 +61,7 @@ class FrameBench {
   /// The cycle of the last handshake: where to look once a frame has ended in an RtlError.
   Cycle last_moved() const { return last_moved_; }
   bool trace(const std::string& file) { return unit_.trace(file); }
+  bool write_coverage(const std::string& file) const { return unit_.write_coverage(file); }
 
  private:
   struct Progress;

@@ -29,7 +29,12 @@
 #define PINEDA_HAS_INTERP_ZTEST
 #endif
 #include "verilated.h"
+#if VM_COVERAGE
+#include "verilated_cov.h"
+#endif
+#if VM_TRACE
 #include "verilated_fst_c.h"
+#endif
 
 struct PinedaRtl {
   virtual ~PinedaRtl() = default;
@@ -177,7 +182,9 @@ struct Loopback : Unit<Vloopback> {
 
 struct Top : Unit<Vraster_top> {
   Top() {
+#if VM_TRACE
     context.traceEverOn(true);
+#endif
     PORT(rst_ni)
     PORT(frame_valid_i)
     PORT(frame_ready_o)
@@ -219,6 +226,7 @@ struct Top : Unit<Vraster_top> {
     COUNTERS("tiles_levels", u_traversal__DOT__u_levels)
     COUNTERS("stamps_levels", u_interp_ztest__DOT__u_levels)
   }
+#if VM_TRACE
   ~Top() override {
     if (fst) fst->close();
   }
@@ -242,8 +250,21 @@ struct Top : Unit<Vraster_top> {
 
   std::unique_ptr<VerilatedFstC> fst;
   uint64_t time = 0;
+#endif
 };
 #endif
+
+int write_coverage(PinedaRtl* rtl, const char* file) {
+#if VM_COVERAGE
+  rtl->context.coveragep()->forcePerInstance(true);
+  rtl->context.coveragep()->write(file);
+  return 1;
+#else
+  static_cast<void>(rtl);
+  static_cast<void>(file);
+  return 0;
+#endif
+}
 
 PinedaRtl* open_unit(const char* name) {
   const std::string unit = name;
@@ -279,6 +300,7 @@ const PinedaRtlPlugin kPlugin = {
     [](PinedaRtl* rtl) { rtl->clock(); },
     [](PinedaRtl* rtl) { return static_cast<uint64_t>(rtl->context.errorCount()); },
     [](PinedaRtl* rtl, const char* file) { return rtl->trace(file) ? 1 : 0; },
+    write_coverage,
 };
 
 }  // namespace

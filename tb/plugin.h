@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-enum { kPinedaRtlAbi = 1 };
+enum { kPinedaRtlAbi = 2 };
 
 typedef struct {
   const char* name;
@@ -37,6 +37,9 @@ typedef struct {
   uint64_t (*errors)(PinedaRtl*);
   /* Writes an FST waveform from now on; 0 if the unit has none or the file cannot be written. */
   int (*trace)(PinedaRtl*, const char* file);
+  /* Writes how often each line ran and each bit changed so far, by instance, in Verilator's form; 0 if
+     the plug-in was built without these counters. */
+  int (*write_coverage)(PinedaRtl*, const char* file);
 } PinedaRtlPlugin;
 
 /* The one symbol that a plug-in exports. */

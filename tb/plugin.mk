@@ -2,6 +2,8 @@
 # named designs.
 #
 #   make -f tb/plugin.mk DESIGN=high_tile EMIT=build/bin/emit_package WORK=dir OUT=file.so
+#
+# COVERAGE=1: with counters of lines and of bits that change, without waveforms.
 SOURCE ?= $(abspath $(dir $(lastword $(MAKEFILE_LIST)))/..)
 VERILATOR ?= verilator
 CXXFLAGS ?= -O3
@@ -18,10 +20,11 @@ SELF := $(firstword $(MAKEFILE_LIST))
 VERILATOR_ROOT := $(shell $(VERILATOR) --getenv VERILATOR_ROOT)
 # Loops over the in-flight table are longer than what Verilator unrolls by itself.
 FLAGS := --cc -O3 --unroll-count 256 --x-assign fast --x-initial fast --assert $(VERILATOR_WARNINGS) \
-  --prefix
+  $(if $(COVERAGE),--coverage-line --coverage-toggle) --prefix
 # What the design has, as the package says.
 PARTS = $(shell sed -n 's/^`define \(PINEDA_[A-Z_]*\)$$/-D\1/p' $(WORK)/pineda_pkg.sv)
-RUNTIME := verilated verilated_fst_c verilated_threads
+RUNTIME := verilated verilated_threads $(if $(COVERAGE),verilated_cov,verilated_fst_c)
+TRACE := $(if $(COVERAGE),0,1)
 
 # A second make, once the generated sources exist and can be listed.
 ifneq ($(STAGE),objects)
@@ -47,7 +50,7 @@ endef
 # With counters of what the cycles are spent on. Sources of an earlier run must not be compiled again.
 $(WORK)/raster_top.stamp: $(WORK)/pineda_pkg.sv $(RTL_SOURCES) $(LINT) $(RTL)/lint/taps.vlt $(SELF)
 	rm -f $(WORK)/raster_top/*.cpp
-	$(VERILATOR) $(FLAGS) Vraster_top --trace-fst -DPINEDA_COUNTERS --Mdir $(WORK)/raster_top \
+	$(VERILATOR) $(FLAGS) Vraster_top $(if $(COVERAGE),,--trace-fst) -DPINEDA_COUNTERS --Mdir $(WORK)/raster_top \
 	  --top-module raster_top $(LINT) $(RTL)/lint/taps.vlt $< $(RTL_SOURCES)
 	$(bundle)
 
@@ -69,9 +72,9 @@ ONCE := $(UNITS:%=$(WORK)/%/once.o)
 # Verilator's library: who builds several plug-ins brings it as an archive.
 RUNTIME_OBJECTS ?= $(RUNTIME:%=$(WORK)/%.o)
 OBJECTS := $(OFTEN) $(ONCE) $(WORK)/plugin.o $(RUNTIME_OBJECTS)
-COMPILE = $(CXX) -std=c++17 $(CXXFLAGS) -fPIC -w -DVM_TRACE=1 -DVM_TRACE_FST=1 -DVM_SC=0 -DVM_COVERAGE=0 \
-  -I$(SOURCE) -I$(WORK) $(UNITS:%=-I$(WORK)/%) -isystem $(VERILATOR_ROOT)/include \
-  -isystem $(VERILATOR_ROOT)/include/vltstd
+COMPILE = $(CXX) -std=c++17 $(CXXFLAGS) -fPIC -w -DVM_TRACE=$(TRACE) -DVM_TRACE_FST=$(TRACE) -DVM_SC=0 \
+  -DVM_COVERAGE=$(if $(COVERAGE),1,0) -I$(SOURCE) -I$(WORK) $(UNITS:%=-I$(WORK)/%) \
+  -isystem $(VERILATOR_ROOT)/include -isystem $(VERILATOR_ROOT)/include/vltstd
 
 # Only the plug-in's one symbol leaves it: two plug-ins must not share Verilator's globals.
 $(OUT): $(OBJECTS)

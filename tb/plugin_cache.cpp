@@ -37,11 +37,12 @@ std::string read(const fs::path& file) {
 
 /// A kind of plug-in: who builds it.
 struct Kind {
-  std::string name;          // NAME.mk, NAME.cpp and NAME.h in tb/
-  std::string compiler;      // empty: that of make
-  std::string what;          // "the RTL"
-  std::string unit = {};     // alone, of
-  std::string verilog = {};  // in place of the RTL
+  std::string name;            // NAME.mk, NAME.cpp and NAME.h in tb/
+  std::string compiler;        // empty: that of make
+  std::string what;            // "the RTL"
+  std::string tag = {};        // of its files in the cache, behind the design's name
+  std::string variables = {};  // further ones of make
+  std::string verilog = {};    // in place of the RTL
 };
 
 /// Everything that a plug-in is made from, so that no stale one is ever taken.
@@ -57,9 +58,9 @@ std::string key_of(const spec::Contract& contract, const Kind& kind) {
   }
   std::sort(files.begin(), files.end());
   std::string text = spec::package_text(contract) + environment("CXXFLAGS") + environment("UNITS") +
-                     kind.compiler + kind.unit + kind.verilog;
+                     kind.compiler + kind.variables + kind.verilog;
   for (const auto& file : files) text += file.string() + read(file);
-  return fmt::format("{}_{:016x}", contract.design.name, spec::text_hash(text));
+  return fmt::format("{}{}_{:016x}", contract.design.name, kind.tag, spec::text_hash(text));
 }
 
 void require_tools(const spec::Contract& contract, const Kind& kind) {
@@ -122,19 +123,17 @@ std::string cached(const spec::Contract& contract, const Kind& kind,
   const fs::path own = fs::read_symlink("/proc/self/exe").parent_path();
   const fs::path emit =
       fs::exists(own / "emit_package") ? own / "emit_package" : own / "bin/emit_package";
-  std::string variables = kind.compiler.empty() ? "" : "CXX=" + kind.compiler;
-  if (!kind.unit.empty()) {
+  const std::string compiler = kind.compiler.empty() ? "" : "CXX=" + kind.compiler;
+  std::string variables = kind.variables;
+  if (!kind.verilog.empty()) {
     std::ofstream(work / "mutants.v") << kind.verilog;
-    variables += fmt::format(
-        " UNITS={}_unit RTL_SOURCES={}/mutants.v LINT= VERILATOR_WARNINGS='-Wno-fatal -Wno-lint' "
-        "CXXFLAGS='-O0 -DPINEDA_MUTANTS'",
-        kind.unit, work.string());
+    variables += fmt::format(" RTL_SOURCES={}/mutants.v LINT=", work.string());
   }
   const std::string command = fmt::format(
       "exec make -s -j{0} -f '{1}/tb/{4}.mk' DESIGN={2}/design.toml EMIT='{3}' WORK={2}/objects "
-      "OUT={2}/plugin.so {5} < /dev/null > {2}/log 2>&1",
+      "OUT={2}/plugin.so {5} {6} < /dev/null > {2}/log 2>&1",
       std::max(1u, std::thread::hardware_concurrency()), kSource.string(), work.string(),
-      emit.string(), kind.name, variables);
+      emit.string(), kind.name, compiler, variables);
   std::error_code ignored;
   if (!folder.run(command) || !fs::exists(work / "plugin.so")) {
     fs::rename(work / "log", log, ignored);
@@ -150,7 +149,7 @@ std::string cached(const spec::Contract& contract, const Kind& kind,
 
 std::string cached_plugin(const spec::Contract& contract,
                           const std::function<void(const std::string&)>& say) {
-  return cached(contract, {"plugin", "", "the RTL"}, say);
+  return cached(contract, {"plugin", "", "the RTL", "", ""}, say);
 }
 
 std::string cached_bench_plugin(const spec::Contract& contract, const std::string& compiler,
@@ -158,10 +157,25 @@ std::string cached_bench_plugin(const spec::Contract& contract, const std::strin
   return cached(contract, {"bench_plugin", compiler, "the bare RTL (" + compiler + ")"}, say);
 }
 
+std::string cached_coverage_plugin(const spec::Contract& contract, const std::string& module,
+                                   const std::function<void(const std::string&)>& say) {
+  // Cases are few: quick to compile matters more than quick to run.
+  return cached(contract,
+                {"plugin", "", module + " with counters", "_" + module,
+                 "COVERAGE=1 CXXFLAGS=-O1 UNITS=" + module},
+                say);
+}
+
 std::string cached_mutants_plugin(const spec::Contract& contract, const std::string& unit,
                                   const std::string& verilog,
                                   const std::function<void(const std::string&)>& say) {
-  return cached(contract, {"plugin", "", "the mutants of " + unit, unit, verilog}, say);
+  return cached(contract,
+                {"plugin", "", "the mutants of " + unit, "_mutants_" + unit,
+                 fmt::format("UNITS={}_unit VERILATOR_WARNINGS='-Wno-fatal -Wno-lint' "
+                             "CXXFLAGS='-O0 -DPINEDA_MUTANTS'",
+                             unit),
+                 verilog},
+                say);
 }
 
 }  // namespace pineda::tb

@@ -31,6 +31,11 @@ std::string cached_mutants_plugin(const spec::Contract& contract, const std::str
                                   const std::string& verilog,
                                   const std::function<void(const std::string&)>& say);
 
+/// The plug-in of one module alone (setup_unit, traversal_unit, interp_ztest_unit, raster_top) that
+/// counts how often its lines run and its bits change.
+std::string cached_coverage_plugin(const spec::Contract& contract, const std::string& module,
+                                   const std::function<void(const std::string&)>& say);
+
 /// Is there such a program on the path?
 bool on_path(const std::string& tool);
 

@@ -88,6 +88,10 @@ class RtlUnit {
   timing::Cycle cycle() const { return cycle_; }
   /// FST waveform from now on; false if the file cannot be written.
   bool trace(const std::string& file) { return plugin_.trace(rtl_, file.c_str()) != 0; }
+  /// Verilator's coverage so far; false if the plug-in does not count it. The file can be written.
+  bool write_coverage(const std::string& file) const {
+    return plugin_.write_coverage(rtl_, file.c_str()) != 0;
+  }
 
  private:
   const spec::Contract& contract_;

@@ -43,6 +43,7 @@ class UnitBench {
   }
 
   RtlUnit& unit() { return unit_; }
+  bool write_coverage(const std::string& file) const { return unit_.write_coverage(file); }
   /// Of the runs that follow, in cycles of each.
   void set_stalls(const Stalls& stalls) { stalls_ = stalls; }
   /// A run that takes more cycles throws RtlError.
@@ -128,6 +129,7 @@ class InterpZtestBench {
   core::FrameBuffer buffer() const { return memory_.memories().whole(); }
   void set_stalls(const Stalls& stalls) { stalls_ = stalls; }
   void set_cycle_limit(Cycle cycles) { cycle_limit_ = cycles; }
+  bool write_coverage(const std::string& file) const { return unit_.write_coverage(file); }
 
  private:
   RtlUnit unit_;

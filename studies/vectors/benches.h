@@ -68,6 +68,11 @@ class RtlRunner {
     }
   }
 
+  /// Verilator's coverage of the cases so far; false where a case broke the RTL or it is not counted.
+  bool write_coverage(const std::string& file) const {
+    return bench_ && bench_->write_coverage(file);
+  }
+
  private:
   const tb::RtlLibrary& library_;
   tb::BenchOptions options_;
