@@ -389,6 +389,8 @@ void add_vectors(CLI::App* program, int* exit_code) {
   add_shrink(command, exit_code);
   add_score(command, exit_code);
   add_export(command, exit_code);
+  add_coverage(command, exit_code);
+  add_report(command, exit_code);
 }
 
 }  // namespace pineda::cli

@@ -77,4 +77,10 @@ void export_scenes(const VectorOptions& options, const Output& output);
 /// What a file of portable cases holds.
 int portable_info(const VectorOptions& options);
 
+/// Code coverage of the RTL.
+void add_coverage(CLI::App* parent, int* exit_code);
+
+/// Everything on one page.
+void add_report(CLI::App* parent, int* exit_code);
+
 }  // namespace pineda::cli
