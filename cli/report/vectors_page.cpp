@@ -27,7 +27,7 @@ constexpr const char* kStyle =
     "vertical-align:baseline}.bar i{display:block;height:100%;background:#12703a}"
     "details{border-bottom:1px solid #e3e6ea;padding:.15rem 0}details table{margin:.3rem 0 .6rem "
     "1.2rem;width:calc(100% - 1.2rem)}summary{cursor:pointer;display:grid;gap:0 1rem;"
-    "grid-template-columns:16rem 9rem 1fr}summary.file{grid-template-columns:20rem 15rem 1fr}"
+    "grid-template-columns:16rem 12rem 1fr}summary.file{grid-template-columns:20rem 15rem 1fr}"
     "summary::before{content:none}summary:hover{background:#f5f7f9}nav a{margin-right:1.2rem;"
     "color:#0069a8}.waived{color:#5a6573}"
     "@media print{body{margin:0;max-width:none}}";
