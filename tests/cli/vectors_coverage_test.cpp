@@ -1,4 +1,4 @@
-// pineda vectors coverage and report, as another program drives them: traversal of the smallest design.
+// pineda vectors coverage and report, as another program drives them: traversal of the default design.
 #include <gtest/gtest.h>
 
 #include "tests/cli/program.h"
@@ -8,16 +8,16 @@ namespace {
 
 class CodeCoverage : public testing::Test {
  protected:
-  Arguments of_tiny(const char* command, const Arguments& more = {}) const {
-    Arguments arguments{"vectors", command, "--design", "tiny", "--unit", "traversal"};
+  Arguments of_traversal(const char* command, const Arguments& more = {}) const {
+    Arguments arguments{"vectors", command, "--unit", "traversal"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }
   /// A file of a few cases, which leave much unseen.
   std::string few() const {
     const std::string path = scratch_.path("few.txt");
-    const Outcome run = pineda({"vectors", "generate", "--unit", "traversal", "--design", "tiny",
-                                "--count", "2", "-o", path, "--quiet"});
+    const Outcome run = pineda(
+        {"vectors", "generate", "--unit", "traversal", "--count", "2", "-o", path, "--quiet"});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return path;
   }
@@ -27,13 +27,13 @@ class CodeCoverage : public testing::Test {
 };
 
 TEST_F(CodeCoverage, OfLevelOneIsWhatItMustBe) {
-  const Outcome run = pineda(
-      of_tiny("coverage", {"-o", scratch_.path("out"), "--json", scratch_.path("coverage.json")}));
+  const Outcome run = pineda(of_traversal(
+      "coverage", {"-o", scratch_.path("out"), "--json", scratch_.path("coverage.json")}));
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   EXPECT_NE(run.out.find("\nIt holds.\n"), std::string::npos) << run.out;
   const Json json = Json::parse(read_bytes(scratch_.path("coverage.json")));
-  EXPECT_EQ(json.at("design"), "tiny");
-  EXPECT_EQ(json.at("units"), Json({"traversal"}));
+  EXPECT_EQ(json.at("design"), "high_tile");
+  EXPECT_EQ(json.at("units"), Json::array({"traversal"}));
   EXPECT_EQ(json.at("holds"), true);
   EXPECT_EQ(json.at("lines").at("percent"), 100);
   EXPECT_GE(json.at("toggles").at("percent"), 95);
@@ -76,7 +76,7 @@ TEST_F(CodeCoverage, AWaiverExcusesWhatIsMissedAndHasAReason) {
                    scratch_.write("waivers.toml", waivers)});
   };
   const std::string file_alone = "[[waiver]]\nfile = \"traversal/tile_walker.sv\"\n";
-  const std::string head = file_alone + "designs = [\"tiny\"]\n";
+  const std::string head = file_alone + "designs = [\"high_tile\"]\n";
   const auto percent_of = [](const Outcome& run) {
     return run.json().at("toggles").at("percent").get<double>();
   };
@@ -90,9 +90,10 @@ TEST_F(CodeCoverage, AWaiverExcusesWhatIsMissedAndHasAReason) {
   const auto refused = [&](const std::string& waivers, const std::string& part) {
     return is_refused(run_with(waivers), part);
   };
-  EXPECT_TRUE(refused(head + "bits = [\"no_such_signal\"]\nreason = \"x\"\n",
-                      "waivers.toml:1: expected a point of traversal/tile_walker.sv that tiny does "
-                      "not hit, got 'no_such_signal'"));
+  EXPECT_TRUE(
+      refused(head + "bits = [\"no_such_signal\"]\nreason = \"x\"\n",
+              "waivers.toml:1: expected a point of traversal/tile_walker.sv that high_tile does "
+              "not hit, got 'no_such_signal'"));
   EXPECT_TRUE(refused(head + "bits = [\"clk_i\"]\nreason = \"it is hit\"\n", "got 'clk_i'"));
   EXPECT_TRUE(
       refused(head + "bits = [\"*\"]\nreason = \" \"\n", "waivers.toml:1: expected a reason"));
@@ -115,8 +116,8 @@ TEST_F(CodeCoverage, RefusesWhatItCannotRun) {
   EXPECT_TRUE(is_refused(pineda({"vectors", "coverage", scratch_.write("bad.txt", "no vectors\n")}),
                          "bad.txt:1: expected"));
   EXPECT_TRUE(is_refused(
-      pineda({"vectors", "coverage", file, PINEDA_VECTORS "/traversal/level1_seed1.txt"}),
-      "level1_seed1.txt: expected vectors of tiny"));
+      pineda({"vectors", "coverage", file, PINEDA_VECTORS "/traversal/persp_level1_seed1.txt"}),
+      "level1_seed1.txt: expected vectors of high_tile"));
   EXPECT_TRUE(is_refused(pineda({"vectors", "coverage", file, "--level", "2"}), "--level"));
   EXPECT_TRUE(is_refused(pineda({"vectors", "coverage", "--design", "exact"}), "exact"));
   EXPECT_TRUE(is_refused(pineda({"vectors", "coverage", "--unit", "rop"}), "--unit"));
@@ -129,10 +130,10 @@ TEST_F(CodeCoverage, StandsOnOnePageWithPlanBinsAndMutants) {
       "score.json",
       R"({"units": {"traversal": {"mutants": 350, "killed_level1": 300, "killed_level2": 20,
                                   "equivalent": 17, "undecided": 2}}})");
-  const Outcome run = pineda(of_tiny("report", {"-o", page, "--mutants", mutants}));
+  const Outcome run = pineda(of_traversal("report", {"-o", page, "--mutants", mutants}));
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const std::string html = read_bytes(page);
-  for (const char* part : {"<h1>Verification of tiny</h1>", "traversal_tile_test", "rejected",
+  for (const char* part : {"<h1>Verification of high_tile</h1>", "traversal_tile_test", "rejected",
                            "traversal/tile_walker.sv", "of 350 mutants survive", ">11<"}) {
     EXPECT_NE(html.find(part), std::string::npos) << part;
   }
@@ -142,7 +143,7 @@ TEST_F(CodeCoverage, StandsOnOnePageWithPlanBinsAndMutants) {
 
   const std::string other = scratch_.path("other.html");
   const auto refused = [&](const Arguments& more, const std::string& part) {
-    Arguments arguments = of_tiny("report", {"-o", other});
+    Arguments arguments = of_traversal("report", {"-o", other});
     arguments.insert(arguments.end(), more.begin(), more.end());
     return is_refused(pineda(arguments), part);
   };
@@ -153,7 +154,7 @@ TEST_F(CodeCoverage, StandsOnOnePageWithPlanBinsAndMutants) {
                       "p.hjson: expected a text 'name'"));
   EXPECT_TRUE(refused({"--plan", scratch_.write("p.hjson", "[")}, "p.hjson: expected JSON"));
   EXPECT_FALSE(std::filesystem::exists(other));
-  EXPECT_TRUE(is_refused(pineda(of_tiny("report")), "--out"));
+  EXPECT_TRUE(is_refused(pineda(of_traversal("report")), "--out"));
 }
 
 }  // namespace
