@@ -110,9 +110,9 @@ struct InTime<vectors::FrameCase> {
   void say(const Output& output, Json* json) const {
     (*json)["not_timed"] = coverage.too_large();
     if (coverage.too_large() == 0) return;
-    output.row("not seen in time", fmt::format("{} frames of more than {} samples",
-                                               grouped(coverage.too_large()),
-                                               grouped(vectors::kTimedSamples)));
+    output.row("not seen in time",
+               fmt::format("{} frames of more than {} samples", grouped(coverage.too_large()),
+                           grouped(vectors::kTimedSamples)));
   }
 
   vectors::TimedCoverage coverage;
