@@ -28,7 +28,7 @@ std::string read(const fs::path& file) {
 /// change. Their lines are text.
 class Circuit {
  public:
-  Circuit(const fs::path& folder) : text_(read(folder / "legal.aig")) {
+  explicit Circuit(const fs::path& folder) : text_(read(folder / "legal.aig")) {
     std::istringstream map(read(folder / "legal.map"));
     for (std::string line; std::getline(map, line);) {
       std::istringstream words(line);
