@@ -32,7 +32,7 @@ class Shrinker {
 
   Case run() {
     leave_out_inputs();
-    keep([](Case* c) { c->ports = {}; });
+    keep_at_any_reset([](Case* c) { c->ports = {}; });
     if constexpr (std::is_same_v<Case, FrameCase>) keep([](Case* c) { c->reset_cycle.reset(); });
     simplify_state();
     halve([](Case* c) -> int& { return c->frame.width; });
@@ -56,11 +56,31 @@ class Shrinker {
     return true;
   }
 
+  // The same, and if need be with the reset in an earlier cycle: what is left out moves what it meets.
+  template <class Change>
+  bool keep_at_any_reset(Change&& change) {
+    if (keep(change)) return true;
+    if constexpr (std::is_same_v<Case, FrameCase>) {
+      if (!case_.reset_cycle) return false;
+      Case candidate = case_;
+      change(&candidate);
+      candidate = run_model(contract_, candidate);
+      for (uint64_t cycle = 0; cycle < *case_.reset_cycle; ++cycle) {
+        candidate.reset_cycle = cycle;
+        if (!fails_(candidate)) continue;
+        case_ = std::move(candidate);
+        return true;
+      }
+    }
+    return false;
+  }
+
   // Runs of inputs, from half of them down to single ones.
   void leave_out_inputs() {
     for (size_t length = std::max<size_t>(case_.in.size() / 2, 1); length > 0; length /= 2) {
       for (size_t from = 0; from < case_.in.size();) {
-        const bool is_left_out = keep([&](Case* c) { leave_out(&c->in, from, length); });
+        const bool is_left_out =
+            keep_at_any_reset([&](Case* c) { leave_out(&c->in, from, length); });
         if (!is_left_out) from += length;
       }
     }
