@@ -51,7 +51,7 @@ TEST(Shrink, MovesTheResetToWhereFewerInputsFail) {
   failing.reset_cycle = 12;
   failing = run_model(kContract, failing);
   const FrameCase small = shrunk<FrameCase>(kContract, failing, [](const FrameCase& value) {
-    return value.reset_cycle == 3 * value.in.size();
+    return !value.in.empty() && value.reset_cycle == 3 * value.in.size();
   });
   EXPECT_EQ(small.in.size(), 1u);
   EXPECT_EQ(small.reset_cycle, 3u);
