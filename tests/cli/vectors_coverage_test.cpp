@@ -103,8 +103,9 @@ TEST_F(CodeCoverage, AWaiverExcusesWhatIsMissedAndHasAReason) {
   EXPECT_TRUE(refused(file_alone + "bits = [\"*\"]\nreason = \"x\"\n", "expected designs"));
   EXPECT_TRUE(
       refused(file_alone + "designs = [\"tinny\"]\nbits = [\"*\"]\nreason = \"x\"\n", "got tinny"));
-  EXPECT_TRUE(
-      refused("[[waiver]]\nfile = \"no.sv\"\nbits = [\"*\"]\nreason = \"x\"\n", "got no.sv"));
+  EXPECT_TRUE(refused(
+      "[[waiver]]\nfile = \"no.sv\"\ndesigns = [\"high_tile\"]\nbits = [\"*\"]\nreason = \"x\"\n",
+      "got no.sv"));
   EXPECT_TRUE(refused("[[waiver\n", "waivers.toml:1: expected TOML"));
   EXPECT_TRUE(
       is_refused(pineda({"vectors", "coverage", file, "--waivers", scratch_.path("none.toml")}),

@@ -23,7 +23,7 @@ constexpr int64_t kMaxBoxTiles = 65536;
 
 constexpr int kMaxAttempts = 1 << 17;
 
-constexpr uint64_t kBatch = 1024;  // scenes that become cases at the same time
+constexpr uint64_t kBatch = 256;  // scenes that become cases at the same time
 
 enum class Fit { kTaken, kEmpty, kLarge };
 
