@@ -109,8 +109,9 @@ TEST_F(Vectors, AreWrittenAndReadInBoundedMemory) {
     return run.peak_kib;
   };
   int64_t few = 0, many = 0;
-  const int64_t writing_few = peak("1000", &few);
-  EXPECT_LT(peak("10000", &many), writing_few + 4096);
+  const int64_t writing_few = peak("4000", &few);
+  EXPECT_LT(peak("40000", &many),
+            writing_few + 16384);  // what each thread's allocator keeps varies
   EXPECT_LT(many, few + 4096);
 }
 
