@@ -87,7 +87,8 @@ bool covers_bit(const std::string& pattern, const CodePoint& point) {
   if (range != std::string::npos &&
       std::sscanf(pattern.c_str() + range, "[%d:%d]", &high, &low) == 2) {
     const auto [signal, bit] = split_bit(point.name);
-    return bit >= low && bit <= high && matches(std::string_view(pattern).substr(0, range), signal);
+    const std::string_view named(pattern.data(), range);
+    return bit >= low && bit <= high && matches(named, signal);
   }
   for (std::string name = point.name;;) {
     if (matches(pattern, name)) return true;
