@@ -152,7 +152,7 @@ const std::vector<Point<SeenTimedFrame>>& points<SeenTimedFrame>() {
       {"fifo_level", "slots of a FIFO that are taken", levels, see_levels},
       {"port_stall", "a memory port that does not take what is offered", stalled_ports,
        see_stalled_ports},
-      {"reset", "what is under way when the frame is reset", at_reset, see_at_reset},
+      {"reset_in_flight", "what is under way when the frame is reset", at_reset, see_at_reset},
       {"hidden_tiles", "tiles that hierarchical z drops", hidden_tiles, see_hidden_tiles},
   };
   return all;
