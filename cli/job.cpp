@@ -1,6 +1,7 @@
 // Opens a scene for the design of the options, or for the one that it needs.
 #include "cli/job.h"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "model/scene/resnap.h"

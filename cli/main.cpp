@@ -1,4 +1,5 @@
 // pineda: a bit-exact, cycle-approximate hardware rasterizer. One program, a command a task.
+#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <new>
 #include <systemc>

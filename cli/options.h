@@ -1,8 +1,8 @@
 // What the commands of pineda share: options, exit codes, and the scene they open.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -10,6 +10,11 @@
 #include "model/memory/stalls.h"
 #include "model/scene/scene.h"
 #include "model/spec/widths.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace pineda::cli {
 

@@ -13,6 +13,7 @@ struct FrameBench::Progress {
   spec::Triangle triangle;
   bool drained = false;  // no triangle is left, and the pipeline is empty
   FrameResult result;
+  Cycle deadlock_cycles = 0;
 };
 
 std::shared_ptr<MemoryTiming> memory_of(const BenchOptions& options) {
@@ -51,12 +52,19 @@ void FrameBench::reset() {
   unit_.reset();
 }
 
-FrameResult FrameBench::run(const spec::FrameState& frame, const NextTriangle& next,
-                            Listener* listener) {
+// Memories and the port of a frame, before its first step.
+FrameBench::Progress FrameBench::offered(const spec::FrameState& frame) {
   memory_.start(frame, PagedBuffer(unit_.contract(), frame), unit_.cycle());
   frames_.offer(frame);
   Progress progress;
   progress.start = progress.last_event = unit_.cycle();
+  progress.deadlock_cycles = deadlock_cycles(frame);
+  return progress;
+}
+
+FrameResult FrameBench::run(const spec::FrameState& frame, const NextTriangle& next,
+                            Listener* listener) {
+  Progress progress = offered(frame);
   counters_.start();
   while (!step(&progress, next, listener)) {
   }
@@ -64,12 +72,16 @@ FrameResult FrameBench::run(const spec::FrameState& frame, const NextTriangle& n
   return progress.result;
 }
 
+void FrameBench::wait(Cycle cycles) {
+  for (Cycle i = 0; i < cycles; ++i) {
+    unit_.settle();
+    unit_.clock();
+  }
+}
+
 void FrameBench::run_into_reset(const spec::FrameState& frame, const NextTriangle& next,
                                 Cycle cycles) {
-  memory_.start(frame, PagedBuffer(unit_.contract(), frame), unit_.cycle());
-  frames_.offer(frame);
-  Progress progress;
-  progress.start = progress.last_event = unit_.cycle();
+  Progress progress = offered(frame);
   while (unit_.cycle() < progress.start + cycles && !step(&progress, next, nullptr)) {
   }
   reset();
@@ -79,9 +91,7 @@ std::array<timing::Cause, timing::kUnits> FrameBench::run_close_up(const spec::F
                                                                    const NextTriangle& next,
                                                                    Listener* listener,
                                                                    const CloseUp& close_up) {
-  memory_.start(frame, PagedBuffer(unit_.contract(), frame), unit_.cycle());
-  frames_.offer(frame);
-  Progress progress;
+  Progress progress = offered(frame);
   progress.drained = true;  // the counters are read here
   FrameResult counted;
   bool ended = false;
@@ -139,7 +149,7 @@ bool FrameBench::step(Progress* p, const NextTriangle& next, Listener* listener)
     p->result = counters_.read(cycle - p->start);
   }
   if (moved) p->last_event = last_moved_ = cycle;
-  if (cycle - p->last_event > kDeadlockCycles) {
+  if (cycle - p->last_event > p->deadlock_cycles) {
     throw RtlError(fmt::format("top: nothing moves since cycle {}", p->last_event));
   }
   unit_.clock();

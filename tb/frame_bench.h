@@ -43,6 +43,8 @@ class FrameBench {
   FrameResult run(const spec::FrameState& frame, const NextTriangle& next, Listener* listener);
   /// The same, but resets in the middle, `cycles` after the start, and leaves the pipeline idle.
   void run_into_reset(const spec::FrameState& frame, const NextTriangle& next, Cycle cycles);
+  /// Cycles without a frame, between two or before the first.
+  void wait(Cycle cycles);
 
   /// The first frame since the reset up to the end of the close-up, where the bench is left as it is: good
   /// for nothing more. The waveform is whole once the bench is gone. Returns each unit's cause in
@@ -65,6 +67,7 @@ class FrameBench {
 
  private:
   struct Progress;
+  Progress offered(const spec::FrameState& frame);
   bool step(Progress* progress, const NextTriangle& next, Listener* listener);
   void reset();
 

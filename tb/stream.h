@@ -14,6 +14,12 @@ namespace pineda::tb {
 /// hundreds of cycles, a screen of rejected tiles a few million.
 inline constexpr timing::Cycle kDeadlockCycles = 8'000'000;
 
+/// The same for a frame whose size is known: a walk over all its samples, most cycles stalled.
+inline timing::Cycle deadlock_cycles(const spec::FrameState& frame) {
+  constexpr timing::Cycle kStalls = 100'000, kSample = 16;
+  return std::min(kDeadlockCycles, kStalls + kSample * frame.width * frame.height);
+}
+
 /// Moves packed structs between port storage and C++; storage of up to 64 bits is 1, 2, 4 or 8
 /// bytes wide, so the words go through a buffer.
 template <class T>

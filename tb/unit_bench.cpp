@@ -61,7 +61,7 @@ InterpZtestBench::Writes InterpZtestBench::run_on(PagedBuffer memory, const spec
     const bool wrote = memory_.sample(cycle, &recorder);
     if (took && accepted != nullptr) accepted->push_back(cycle);
     if (took || wrote) last_event = cycle;
-    if (cycle - last_event > kDeadlockCycles) {
+    if (cycle - last_event > deadlock_cycles(frame)) {
       throw RtlError(fmt::format("interp_ztest: nothing moves since cycle {}", last_event));
     }
     require_in_time(unit_, start, cycle_limit_);

@@ -49,6 +49,9 @@ class UnitBench {
   /// A run that takes more cycles throws RtlError.
   void set_cycle_limit(Cycle cycles) { cycle_limit_ = cycles; }
 
+  /// A run in which so many cycles pass without a handshake throws RtlError.
+  void set_deadlock_cycles(Cycle cycles) { deadlock_cycles_ = cycles; }
+
   /// Feeds all tokens, then waits until the unit is idle. *accepted, if given, gets the cycles in
   /// which it took them.
   Trace<Out> run(const std::vector<In>& tokens, std::vector<Cycle>* accepted = nullptr) {
@@ -68,7 +71,7 @@ class UnitBench {
       if (gave) trace.add(cycle, out_.value());
       if (took && accepted != nullptr) accepted->push_back(cycle);
       if (took || gave) last_event = cycle;
-      if (cycle - last_event > kDeadlockCycles) {
+      if (cycle - last_event > deadlock_cycles_) {
         throw RtlError(fmt::format("{}: nothing moves since cycle {}", unit_.name(), last_event));
       }
       require_in_time(unit_, start, cycle_limit_);
@@ -83,6 +86,7 @@ class UnitBench {
   RtlUnit unit_;
   Stalls stalls_;
   Cycle cycle_limit_ = kNoCycleLimit;
+  Cycle deadlock_cycles_ = kDeadlockCycles;
   SourceEnd<In> in_;
   SinkEnd<Out> out_;
   PortData idle_;

@@ -1,5 +1,6 @@
 // pineda check: functional model, SystemC model and Verilated RTL on one scene, compared at every
 // unit boundary, and judged by exact arithmetic.
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/job.h"

@@ -1,4 +1,5 @@
 // pineda designs: the design points and their parameters.
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/output.h"

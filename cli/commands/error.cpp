@@ -1,6 +1,7 @@
 // pineda error: each design point and each baseline against exact arithmetic, and what it costs.
 #include "studies/error/error.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -1,6 +1,7 @@
 // pineda judge: the frame of any rasterizer against exact arithmetic.
 #include "cli/commands/judge.h"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "model/scene/resnap.h"

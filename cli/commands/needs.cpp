@@ -1,4 +1,5 @@
 // pineda needs: the smallest design that is right on a scene.
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/job.h"

@@ -1,6 +1,7 @@
 // pineda study parameters: what each parameter of a design costs and buys on a scene.
 #include "studies/numerics/parameters.h"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/output.h"

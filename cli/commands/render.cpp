@@ -1,4 +1,5 @@
 // pineda render: the functional model alone.
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/job.h"

@@ -1,4 +1,5 @@
 // pineda rtl: the Verilated RTL alone.
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 

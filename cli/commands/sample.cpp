@@ -1,5 +1,6 @@
 #include "cli/commands/sample.h"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <limits>
 

@@ -1,4 +1,5 @@
 // pineda scenes: what is built in.
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/output.h"

@@ -1,4 +1,5 @@
 // pineda study: sweeps that need no scene.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -1,4 +1,5 @@
 // pineda study area: cells, clock and storage of designs, and their throughput for it.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>

@@ -1,4 +1,5 @@
 // pineda study cycles: the cycle model against the RTL, cycles and speed of both.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 

@@ -1,4 +1,5 @@
 // pineda study netlist: the mapped netlist of each unit on its committed vectors, in Icarus Verilog.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

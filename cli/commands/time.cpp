@@ -1,4 +1,5 @@
 // pineda time: the SystemC cycle model alone.
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/commands/sample.h"

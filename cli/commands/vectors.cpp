@@ -1,6 +1,7 @@
 // pineda vectors: makes test vectors, says what a file holds, runs it on the model or on the RTL.
 #include "cli/commands/vectors.h"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 
@@ -92,31 +93,10 @@ Json coverage_of(const std::vector<vectors::PointHits>& points, const Output& ou
   return json;
 }
 
-/// What only time shows, of whole frames.
-template <class Case>
-struct InTime {
-  explicit InTime(const spec::Contract&) {}
-  void see(const Case&) {}
-  void list(std::vector<vectors::PointHits>*) const {}
-  void say(const Output&, Json*) const {}
-};
-template <>
-struct InTime<vectors::FrameCase> {
-  explicit InTime(const spec::Contract& contract) : coverage(contract) {}
-  void see(const vectors::FrameCase& value) { coverage.see(value); }
-  void list(std::vector<vectors::PointHits>* all) const {
-    for (vectors::PointHits& point : coverage.points()) all->push_back(std::move(point));
-  }
-  void say(const Output& output, Json* json) const {
-    (*json)["not_timed"] = coverage.too_large();
-    if (coverage.too_large() == 0) return;
-    output.row("not seen in time",
-               fmt::format("{} frames of more than {} samples", grouped(coverage.too_large()),
-                           grouped(vectors::kTimedSamples)));
-  }
-
-  vectors::TimedCoverage coverage;
-};
+std::string not_timed_text(const vectors::WholeCoverage& coverage) {
+  return fmt::format("{} frames of more than {} samples", grouped(coverage.not_timed()),
+                     grouped(vectors::kTimedSamples));
+}
 
 int info(const VectorOptions& options) {
   if (studies::is_portable(options.file)) return portable_info(options);
@@ -129,12 +109,10 @@ int info(const VectorOptions& options) {
     std::map<std::string, size_t> classes;
     uint64_t cases = 0;
     int width = 0, height = 0;
-    vectors::Coverage coverage(header.unit, header.contract);
-    InTime<Case> in_time(header.contract);
+    vectors::WholeCoverage coverage(header.unit, header.contract);
     for (Case c; reader.next(&c);) {
       ++cases;
       coverage.see(c);
-      in_time.see(c);
       for (const auto& [name, count] : counts(c)) tokens[name] += count;
       ++classes[c.name.substr(0, c.name.rfind('.'))];
       width = std::max(width, c.frame.width);
@@ -145,16 +123,15 @@ int info(const VectorOptions& options) {
     for (const auto& [name, count] : tokens) output.row(name, grouped(count));
     output.row("greatest frame", fmt::format("{}x{}", width, height));
     Json told = header_json(options, header);
-    in_time.say(output, &told);
+    if (header.unit == vectors::Unit::kFrame) told["not_timed"] = coverage.not_timed();
+    if (coverage.not_timed() > 0) output.row("not seen in time", not_timed_text(coverage));
     output.line("\n{:<24}{:>8}", "class", "cases");
     for (const auto& [name, count] : classes) output.line("{:<24}{:>8}", name, count);
     told["cases"] = cases;
     told["tokens"] = tokens;
     told["greatest_frame"] = {{"width", width}, {"height", height}};
     told["classes"] = classes;
-    std::vector<vectors::PointHits> points = coverage.points();
-    in_time.list(&points);
-    told["coverage"] = coverage_of(points, output);
+    told["coverage"] = coverage_of(coverage.points(), output);
     return told;
   });
   output.json(json);

@@ -1,6 +1,7 @@
 // pineda vectors coverage: which lines of the RTL run and which bits change under vectors.
 #include "cli/commands/vectors_coverage.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,5 @@
 // pineda vectors report: test plan, bins, code and mutants on one page.
+#include <CLI/CLI.hpp>
 #include <fstream>
 #include <memory>
 

@@ -1,4 +1,5 @@
 // pineda walk: one triangle through every stage, with its bits.
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 

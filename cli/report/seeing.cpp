@@ -1,5 +1,7 @@
 #include "cli/report/seeing.h"
 
+#include <CLI/CLI.hpp>
+
 #include "cli/reserved_file.h"
 #include "model/core/frame.h"
 #include "model/scene/error.h"

@@ -161,6 +161,11 @@ std::string bins_html(const UnitBins& unit) {
   std::string html =
       fmt::format("<h2>Bins of {}: {} of {} hit by {} cases</h2>\n", spec::name_of(unit.unit()),
                   grouped(all.hit), grouped(all.reachable), grouped(unit.cases()));
+  if (unit.not_timed() > 0) {
+    html += fmt::format(
+        "<p class=\"grey\">{} frames of more than {} samples are not seen in time.</p>\n",
+        grouped(unit.not_timed()), grouped(vectors::kTimedSamples));
+  }
   for (size_t p = 0; p < unit.points().size(); ++p) {
     const vectors::PointHits& point = unit.points()[p];
     const Bins bins = bins_of(point);

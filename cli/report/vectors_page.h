@@ -7,7 +7,7 @@
 
 #include "cli/report/code_coverage.h"
 #include "cli/report/testplan.h"
-#include "vectors/coverage/coverage.h"
+#include "studies/vectors/timed_coverage.h"
 
 namespace pineda::cli {
 
@@ -31,6 +31,7 @@ class UnitBins {
   };
   vectors::Unit unit() const { return unit_; }
   uint64_t cases() const { return cases_; }
+  uint64_t not_timed() const { return coverage_.not_timed(); }
   const std::vector<vectors::PointHits>& points() const { return points_; }
   /// Who hit a bin.
   const Hitters& hitters(size_t point, size_t bin) const { return hitters_[point][bin]; }
@@ -39,7 +40,7 @@ class UnitBins {
   void note(const std::string& name);
 
   vectors::Unit unit_;
-  vectors::Coverage coverage_;
+  vectors::WholeCoverage coverage_;
   uint64_t cases_ = 0;
   std::vector<vectors::PointHits> points_;
   std::vector<std::vector<Hitters>> hitters_;  // by point and bin

@@ -19,11 +19,9 @@ module reciprocal_align #(
     length_o = 'x;
     if (valid_i) begin
       aligned_o = value_i;
-      for (int k = LengthBits - 1; k >= 0; k--) begin
-        if ((1 << k) < Width && (aligned_o >> (Width - (1 << k))) == '0) begin
-          shift[k] = 1'b1;
-          aligned_o = aligned_o << (1 << k);
-        end
+      for (int k = $clog2(Width) - 1; k >= 0; k--) begin
+        shift[k] = (aligned_o >> (Width - (1 << k))) == '0;
+        if (shift[k]) aligned_o = aligned_o << (1 << k);
       end
       length_o = LengthBits'(Width) - shift;
     end

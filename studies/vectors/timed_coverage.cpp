@@ -185,4 +185,15 @@ std::vector<PointHits> TimedCoverage::points() const {
   return all;
 }
 
+WholeCoverage::WholeCoverage(Unit unit, const spec::Contract& contract)
+    : coverage_(unit, contract),
+      in_time_(unit == Unit::kFrame ? std::make_unique<TimedCoverage>(contract) : nullptr) {}
+
+std::vector<PointHits> WholeCoverage::points() const {
+  std::vector<PointHits> all = coverage_.points();
+  if (!in_time_) return all;
+  for (PointHits& point : in_time_->points()) all.push_back(std::move(point));
+  return all;
+}
+
 }  // namespace pineda::vectors

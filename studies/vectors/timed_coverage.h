@@ -2,8 +2,11 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <type_traits>
 
 #include "model/timing/raster_top.h"
+#include "vectors/coverage/coverage.h"
 #include "vectors/coverage/points.h"
 #include "vectors/coverage/table.h"
 
@@ -43,6 +46,25 @@ class TimedCoverage {
   timing::RasterTop top_;
   Table<SeenTimedFrame> table_;
   uint64_t too_large_ = 0;
+};
+
+/// Coverage of the cases of a unit, of frames in time too.
+class WholeCoverage {
+ public:
+  WholeCoverage(Unit unit, const spec::Contract& contract);
+
+  template <class Case>
+  void see(const Case& value) {
+    coverage_.see(value);
+    if constexpr (std::is_same_v<Case, FrameCase>) in_time_->see(value);
+  }
+  std::vector<PointHits> points() const;
+  /// Frames that were not seen in time: TimedCoverage::too_large.
+  uint64_t not_timed() const { return in_time_ ? in_time_->too_large() : 0; }
+
+ private:
+  Coverage coverage_;
+  std::unique_ptr<TimedCoverage> in_time_;  // of frames
 };
 
 }  // namespace pineda::vectors
