@@ -84,7 +84,13 @@ void FrameBench::run_into_reset(const spec::FrameState& frame, const NextTriangl
   Progress progress = offered(frame);
   while (unit_.cycle() < progress.start + cycles && !step(&progress, next, nullptr)) {
   }
+  const Cycle cycle = unit_.cycle();
   reset();
+  unit_.settle();
+  if (!idle_.bit()) {
+    last_moved_ = cycle;
+    throw RtlError(fmt::format("top: not idle after a reset in cycle {}", cycle));
+  }
 }
 
 std::array<timing::Cause, timing::kUnits> FrameBench::run_close_up(const spec::FrameState& frame,

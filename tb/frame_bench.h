@@ -41,7 +41,8 @@ class FrameBench {
   /// One frame, from its first offer until the top is idle. With a listener, every token at every
   /// unit boundary; without one, the streams inside are not looked at.
   FrameResult run(const spec::FrameState& frame, const NextTriangle& next, Listener* listener);
-  /// The same, but resets in the middle, `cycles` after the start, and leaves the pipeline idle.
+  /// The same, but resets in the middle, `cycles` after the start. Throws RtlError if the pipeline is not
+  /// idle then.
   void run_into_reset(const spec::FrameState& frame, const NextTriangle& next, Cycle cycles);
   /// Cycles without a frame, between two or before the first.
   void wait(Cycle cycles);

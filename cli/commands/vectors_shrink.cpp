@@ -139,44 +139,53 @@ class Shrinking {
   // Of a frame on our RTL: the first unit, field and cycle that differ, and a waveform around it.
   void look_closer(const vectors::FrameCase& value, Json* json) {
     if (!runner_) return;
-    std::string first;
-    const std::optional<tb::Cycle> cycle = first_difference(value, &first);
-    if (!first.empty()) output_.row("first", first);
-    (*json)["first"] = first;
-    if (!cycle) return;
+    const Difference first = first_difference(value);
+    if (!first.what.empty()) output_.row("first", first.what);
+    (*json)["first"] = first.what;
     constexpr tb::Cycle kBefore = 40, kAfter = 8;
     std::filesystem::path waveform{result_};
     waveform.replace_extension(".fst");
-    const tb::CloseUp window{std::max<tb::Cycle>(*cycle - kBefore, 0), *cycle, *cycle + kAfter,
-                             waveform.string()};
+    tb::CloseUp window{std::max<tb::Cycle>(first.cycle - kBefore, 0), first.cycle,
+                       first.cycle + kAfter, waveform.string()};
+    if (first.is_before) window = {0, first.cycle, first.cycle + 1, window.trace};
     try {
       tb::FrameBench bench(*library_, bench_of(value));
+      if (first.is_before && !bench.trace(window.trace)) {
+        throw UsageError(fmt::format("{}: cannot be written", window.trace));
+      }
       vectors::begin(&bench, value);
       bench.run_close_up(value.frame, vectors::each_of(value.in), nullptr, window);
     } catch (const tb::RtlError& error) {
       // What ended the frame before ends it again: the waveform goes as far.
-      if (error.what() != first) throw;
+      if (error.what() != first.what) throw;
     }
     output_.row("waveform",
                 fmt::format("{}, cycles {} to {}", window.trace, window.from, window.until - 1));
-    (*json)["cycle"] = *cycle;
+    (*json)["cycle"] = first.cycle;
     (*json)["waveform"] = {{"file", window.trace}, {"from", window.from}, {"until", window.until}};
   }
   template <class Other>
   void look_closer(const Other&, Json*) {}
 
-  std::optional<tb::Cycle> first_difference(const vectors::FrameCase& value, std::string* first) {
+  /// Where a frame differs first.
+  struct Difference {
+    std::string what;  // empty: in memories or counters alone
+    tb::Cycle cycle;   // of what never comes, that of the last handshake
+    bool is_before;    // in the frame that is begun and reset before it
+  };
+  Difference first_difference(const vectors::FrameCase& value) {
     tb::Scoreboard scoreboard("RTL", contract_, value.frame, vectors::each_of(value.in));
     tb::FrameBench bench(*library_, bench_of(value));
+    bool is_before = true;
     try {
       vectors::begin(&bench, value);
+      is_before = false;
       bench.run(value.frame, vectors::each_of(value.in), &scoreboard);
       scoreboard.finish();
-      *first = scoreboard.first_divergence();
-      return scoreboard.first_cycle();
+      return {scoreboard.first_divergence(), scoreboard.first_cycle().value_or(bench.last_moved()),
+              false};
     } catch (const tb::RtlError& error) {
-      *first = error.what();
-      return bench.last_moved();
+      return {error.what(), bench.last_moved(), is_before};
     }
   }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
 #include <set>
 #include <sstream>
@@ -21,15 +20,6 @@ namespace fs = std::filesystem;
 constexpr double kShareOfLogic = .85;
 
 const fs::path kRtl = fs::path(PINEDA_SOURCE_DIR) / "rtl";
-
-std::string read(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream)
-    throw AreaError(fmt::format("{}: expected this file, cannot read it", file.string()));
-  return text.str();
-}
 
 bool has_state(const RtlilCell& cell) {
   return cell.type.rfind("$dff", 0) == 0 || cell.type.rfind("$adff", 0) == 0 ||
@@ -88,9 +78,9 @@ std::string unit_name(const std::string& module) { return module.substr(0, modul
 
 std::string sources_of(const spec::Contract& contract) {
   std::string text = spec::package_text(contract);
-  std::istringstream files(read(kRtl / "files.f"));
+  std::istringstream files(text_of(kRtl / "files.f"));
   for (std::string file; files >> file;) {
-    if (file != "pineda_pkg.sv") text += read(kRtl / file);
+    if (file != "pineda_pkg.sv") text += text_of(kRtl / file);
   }
   return text;
 }
@@ -142,7 +132,7 @@ std::string Synthesis::elaborated(const spec::Contract& contract) const {
       "setattr -unset src\nsetattr -mod -unset src\nwrite_rtlil {}/design.il\n",
       runs_.keep(sources_of(contract), ".sv"), kTop, kOut);
   const auto folders = runs_.run({{"yosys", script, "elaborating the RTL"}});
-  std::string design = read(folders.front() / "design.il");
+  std::string design = text_of(folders.front() / "design.il");
   for (const RtlilModule& module : parse_rtlil(design)) {
     const std::string name = plain_name(module.name);
     for (const char end : {'\n', ' '}) {
@@ -182,7 +172,8 @@ std::string Synthesis::split(const std::string& design, long least_memory_bits,
       "read_rtlil {}\nsetattr -mod -set keep_hierarchy 1 {}\nflatten\n"
       "hierarchy -top {}\nopt_clean -purge\n{}{}write_rtlil {}/split.il\n",
       runs_.keep(design, ".il"), fmt::join(kept, " "), kTop, enables, memories, kOut);
-  std::string text = read(runs_.run({{"yosys", script, "dividing the RTL"}}).front() / "split.il");
+  std::string text =
+      text_of(runs_.run({{"yosys", script, "dividing the RTL"}}).front() / "split.il");
   for (const auto& [name, cell] : *memory) {  // an instance "memory0" of it
     text = replaced(text, fmt::format("  cell \\{0} \\{0}\n", name),
                     fmt::format("  cell \\{} \\{}\n", name, name.substr(name.rfind('_') + 1)));
@@ -233,7 +224,7 @@ void Synthesis::map(const std::map<std::string, int>& delay_ps) {
     const fs::path file = results[i++] / "mapped.il";
     m.netlist = runs_.name_of(file);
     m.cells.clear();
-    for (const RtlilModule& module : parse_rtlil(read(file))) {
+    for (const RtlilModule& module : parse_rtlil(text_of(file))) {
       if (bare(module.name) != name) continue;
       for (const RtlilCell& cell : module.cells) {
         const std::string type = bare(cell.type);

@@ -63,6 +63,15 @@ std::string error_of(const fs::path& log) {
 
 }  // namespace
 
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream)
+    throw AreaError(fmt::format("{}: expected this file, cannot read it", file.string()));
+  return text.str();
+}
+
 std::string first_line_of(const std::string& command) {
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   std::string line;

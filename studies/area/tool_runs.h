@@ -22,6 +22,8 @@ inline constexpr const char* kOut = "@OUT@";
 
 /// A text as one word of the shell.
 std::string quoted(const std::string& text);
+/// What a file holds. Throws AreaError where it cannot be read.
+std::string text_of(const std::filesystem::path& file);
 /// The first line that a shell's command writes to its standard output.
 std::string first_line_of(const std::string& command);
 

@@ -18,15 +18,6 @@ namespace fs = std::filesystem;
 
 const fs::path kSource = PINEDA_SOURCE_DIR;
 
-std::string read(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream)
-    throw AreaError(fmt::format("{}: expected this file, cannot read it", file.string()));
-  return text.str();
-}
-
 /// A source as it stands in the cache, under a name made from its content.
 struct Source {
   std::string name;  // below rtl/
@@ -85,7 +76,7 @@ void set_place(const std::vector<std::string>& places, const Sources& sources, M
 /// The mutants of a list that `mutate -list` wrote.
 std::vector<Mutant> mutants_of(const fs::path& list, const Sources& sources) {
   std::vector<Mutant> mutants;
-  std::istringstream lines(read(list));
+  std::istringstream lines(text_of(list));
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     Mutant mutant;
@@ -115,14 +106,15 @@ MutantNetlist mutated(const spec::Contract& contract, const std::string& unit, i
   std::string files;
   keep("pineda_pkg.sv", package_of(contract), runs, &sources, &files);
   netlist.package = files.substr(1);
-  std::istringstream names(read(kSource / "rtl/files.f"));
+  std::istringstream names(text_of(kSource / "rtl/files.f"));
   for (std::string name; names >> name;) {
-    if (name != "pineda_pkg.sv") keep(name, read(kSource / "rtl" / name), runs, &sources, &files);
+    if (name != "pineda_pkg.sv")
+      keep(name, text_of(kSource / "rtl" / name), runs, &sources, &files);
   }
   const std::string wrapper = unit + "_with_fifo";
   const fs::path with_fifo = kSource / "studies/score" / (wrapper + ".sv");
   const bool is_wrapped = fs::exists(with_fifo);
-  if (is_wrapped) keep("raster_top.sv", read(with_fifo), runs, &sources, &files);
+  if (is_wrapped) keep("raster_top.sv", text_of(with_fifo), runs, &sources, &files);
   // Nets are split where they are driven in parts, or Verilator would see loops through them.
   const std::string script = fmt::format(
       "read_verilog -sv -DPINEDA_DSP{0}\nhierarchy -check -top {1}\nproc\nflatten\n{2}"
@@ -134,7 +126,7 @@ MutantNetlist mutated(const spec::Contract& contract, const std::string& unit, i
       is_wrapped ? fmt::format("rename {} {}_unit\n", wrapper, unit) : "", mutants + 1, seed, kOut);
   const fs::path folder = runs.run({{"yosys", script, "mutating " + unit}}).front();
   netlist.mutants = mutants_of(folder / "list", sources);
-  netlist.verilog = read(folder / "mutants.v");
+  netlist.verilog = text_of(folder / "mutants.v");
   netlist.rtlil = runs.name_of(folder / "mutants.il");
   if (netlist.mutants.size() < static_cast<size_t>(mutants)) {
     throw AreaError(fmt::format("--mutants: expected at most {} of {}, got {}",

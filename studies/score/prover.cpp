@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <sstream>
 
@@ -15,21 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream)
-    throw AreaError(fmt::format("{}: expected this file, cannot read it", file.string()));
-  return text.str();
-}
-
 /// A unit in AIGER's binary form, whose mutant is told by the first values of 16 latches that never
 /// change. Their lines are text.
 class Circuit {
  public:
-  explicit Circuit(const fs::path& folder) : text_(read(folder / "legal.aig")) {
-    std::istringstream map(read(folder / "legal.map"));
+  explicit Circuit(const fs::path& folder) : text_(text_of(folder / "legal.aig")) {
+    std::istringstream map(text_of(folder / "legal.map"));
     for (std::string line; std::getline(map, line);) {
       std::istringstream words(line);
       std::string kind, name;
@@ -67,8 +57,8 @@ class Circuit {
 
 std::string circuit_script(const std::string& unit, const MutantNetlist& netlist,
                            const ToolRuns& runs) {
-  const std::string legal =
-      runs.keep(read(fs::path(PINEDA_SOURCE_DIR) / "studies/score" / (unit + "_legal.sv")), ".sv");
+  const std::string legal = runs.keep(
+      text_of(fs::path(PINEDA_SOURCE_DIR) / "studies/score" / (unit + "_legal.sv")), ".sv");
   return fmt::format(
       "read_rtlil {}\nread_verilog -sv -formal {} {}\nhierarchy -check -top {}_legal\n"
       "proc\nflatten\nopt_clean\nmemory_map\nasync2sync\nopt_expr\nopt_clean\ndffunmap\n"
@@ -89,8 +79,12 @@ std::string proof_script(const std::string& original, const std::string& mutant)
       original, mutant, kSearchSeconds, kProofSeconds, kMostSeconds, kOut);
 }
 
-/// What ABC's log says.
+/// What ABC's log says. Throws AreaError where it did not run.
 Decision decision_of(const std::string& log) {
+  if (const size_t at = log.find("timeout: failed"); at != std::string::npos) {
+    throw AreaError("expected yosys-abc, as Yosys brings it: " +
+                    log.substr(at, log.find('\n', at) - at));
+  }
   Decision decision;
   if (log.find("Property proved") != std::string::npos ||
       log.find("Status = 1") != std::string::npos) {
@@ -121,7 +115,7 @@ std::vector<Decision> decided(const std::string& unit, const MutantNetlist& netl
   }
   std::vector<Decision> decisions;
   for (const fs::path& folder : runs.run(proofs)) {
-    decisions.push_back(decision_of(read(folder / "log")));
+    decisions.push_back(decision_of(text_of(folder / "log")));
   }
   return decisions;
 }

@@ -101,6 +101,8 @@ Bins at_reset(const spec::Contract& c) {
     if (timing::fifo_depth(c.design, static_cast<Fifo>(fifo)) == 0) continue;
     bins.push_back({name_of_fifo(fifo) + " are in their FIFO", ""});
   }
+  bins.push_back({"a colour is written", ""});
+  if (c.design.depth_test) bins.push_back({"a depth is written", ""});
   return bins;
 }
 void see_at_reset(const SeenTimedFrame& s, Hits* hits) {
@@ -113,6 +115,8 @@ void see_at_reset(const SeenTimedFrame& s, Hits* hits) {
     if (s.holds_at_reset[fifo]) hits->add(bin);
     ++bin;
   }
+  if (s.writes_color_at_reset) hits->add(bin);
+  if (s.writes_depth_at_reset) hits->add(bin + 1);
 }
 
 // ---- Tiles behind what is drawn
@@ -131,6 +135,12 @@ class AtReset : public timing::Listener {
 
   void spent(timing::Unit unit, Cause, Cycle from, Cycle until, uint32_t) override {
     if (from <= cycle_ && cycle_ < until) seen_->works_at_reset[static_cast<size_t>(unit)] = true;
+  }
+  void depth(Cycle cycle, const spec::DepthWrite&) override {
+    if (cycle == cycle_) seen_->writes_depth_at_reset = true;
+  }
+  void color(Cycle cycle, const spec::ColorWrite&) override {
+    if (cycle == cycle_) seen_->writes_color_at_reset = true;
   }
   void slot(Fifo fifo, Cycle inserted, Cycle freed) override {
     if (inserted < cycle_ && cycle_ <= freed) {

@@ -17,9 +17,10 @@ struct SeenTimedFrame {
   const spec::Contract& contract;
   const FrameCase& frame_case;
   const timing::FrameResult& result;
-  // If the case is reset on the way: what works, and which FIFOs hold something, when it is.
+  // If the case is reset on the way: what works, which FIFOs hold something, what is written, when it is.
   std::array<bool, timing::kUnits> works_at_reset{};
   std::array<bool, timing::kFifos> holds_at_reset{};
+  bool writes_depth_at_reset = false, writes_color_at_reset = false;
 };
 
 template <>

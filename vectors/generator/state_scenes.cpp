@@ -137,14 +137,22 @@ void far_border(Draw& d, bool by_scissor) {
 void frame_border(Draw& d) { far_border(d, false); }
 void scissor_border(Draw& d) { far_border(d, true); }
 
-// Every stamp of the frame is sent, one after the other: more than wait for their depths when a port stalls.
-void many_stamps(Draw& d) {
-  const int width = 8 << d.contract().design.stamp_width_log2;
-  const int height = 8 << d.contract().design.stamp_height_log2;
+// A frame and a triangle over all of it: each stamp is sent, one after the other.
+void full_frame(Draw& d, int width, int height) {
   d.frame(width, height);
   d.scene().frame.depth = DepthFunc::kLequal;
   d.add({Point{-d.reach(2 * width), -d.px()}, Point{d.reach(3 * width), -d.px()},
          Point{0, d.reach(4 * height)}});
+}
+// More stamps than wait for their depths when a port stalls.
+void many_stamps(Draw& d) {
+  full_frame(d, 8 << d.contract().design.stamp_width_log2,
+             8 << d.contract().design.stamp_height_log2);
+}
+// Every unit is at work when the frame is reset; the cycles of these scenes are in a row.
+void reset_at_work(Draw& d) {
+  full_frame(d, 32, 8);
+  d.scene().reset_cycle = static_cast<uint64_t>(40 + 5 * d.index() + d.random().between(0, 4));
 }
 
 }  // namespace
@@ -154,7 +162,7 @@ std::vector<SceneClass> state_classes() {
           {"depth_bias", 12, depth_bias},         {"flat_shading", 3, flat_shading},
           {"clear_depth", 18, clear_depth},       {"state", 54, state},
           {"frame_border", 30, frame_border},     {"scissor_border", 30, scissor_border},
-          {"many_stamps", 8, many_stamps}};
+          {"many_stamps", 8, many_stamps},        {"reset_at_work", 24, reset_at_work}};
 }
 
 }  // namespace pineda::vectors
