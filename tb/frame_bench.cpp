@@ -74,7 +74,12 @@ FrameResult FrameBench::run(const spec::FrameState& frame, const NextTriangle& n
 
 void FrameBench::wait(Cycle cycles) {
   for (Cycle i = 0; i < cycles; ++i) {
+    const Cycle cycle = unit_.cycle();
+    memory_.drive(stalls_, cycle);
     unit_.settle();
+    if (memory_.sample(cycle, nullptr)) {
+      throw RtlError(fmt::format("top: something is written in cycle {}, without a frame", cycle));
+    }
     unit_.clock();
   }
 }

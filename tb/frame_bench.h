@@ -44,7 +44,7 @@ class FrameBench {
   /// The same, but resets in the middle, `cycles` after the start. Throws RtlError if the pipeline is not
   /// idle then.
   void run_into_reset(const spec::FrameState& frame, const NextTriangle& next, Cycle cycles);
-  /// Cycles without a frame, between two or before the first.
+  /// Cycles without a frame, after one or after a reset. Throws RtlError if something is written.
   void wait(Cycle cycles);
 
   /// The first frame since the reset up to the end of the close-up, where the bench is left as it is: good

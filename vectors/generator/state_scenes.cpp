@@ -149,9 +149,19 @@ void many_stamps(Draw& d) {
   full_frame(d, 8 << d.contract().design.stamp_width_log2,
              8 << d.contract().design.stamp_height_log2);
 }
-// Every unit is at work when the frame is reset; the cycles of these scenes are in a row.
+// Every unit is at work when the frame is reset; the cycles of these scenes are in a row. Depths in the far
+// half of what is nearer passes: the frame that is begun, whose depths are turned over, is drawn, and the one
+// after the reset is not, so nothing hides what is left of the first.
 void reset_at_work(Draw& d) {
   full_frame(d, 32, 8);
+  spec::FrameState& frame = d.scene().frame;
+  const int64_t top = d.far() >> spec::kDepthInputFractionBits;
+  frame.depth = DepthFunc::kLess;
+  frame.clear_depth =
+      spec::depth_of_code(static_cast<uint32_t>(top / 2), d.contract().design.depth_bits);
+  for (spec::Vertex& vertex : d.scene().triangles.back().v) {
+    vertex.z = std::max(vertex.z, d.far() - vertex.z);
+  }
   d.scene().reset_cycle = static_cast<uint64_t>(40 + 5 * d.index() + d.random().between(0, 4));
 }
 
