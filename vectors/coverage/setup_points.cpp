@@ -6,6 +6,7 @@
 
 #include "model/core/planes.h"
 #include "model/spec/reciprocal/schemes.h"
+#include "vectors/coverage/lone_bits.h"
 #include "vectors/coverage/points.h"
 #include "vectors/coverage/reciprocal_entry.h"
 
@@ -306,7 +307,13 @@ void see_bias_magnitude(const SeenTriangle& s, Hits* hits) {
   if (!s.kept() || s.frame.bias_slope == 0) return;
   const Magnitudes of = magnitudes(s);
   const int64_t limit = int64_t{1} << (s.contract.width.bias_magnitude - 1);
-  if (of.greatest >= limit - 1) return hits->add(2);
+  if (of.greatest >= limit - 1) {
+    hits->add(2);
+    const int64_t most = (int64_t{1} << (s.contract.width.depth_bias - 1)) - 1;
+    const int64_t bias = core::depth_bias(s.contract, s.frame, of.greatest);
+    if (-most <= bias && bias < most) hits->add(of.greatest < limit ? 4 : 5);
+    return;
+  }
   hits->add(of.x == of.greatest ? 0 : 1);
   // From gradients that are rounded already.
   const int shift = s.contract.design.gradient_fraction_bits - spec::kBiasFactorFractionBits;
@@ -320,7 +327,9 @@ void see_bias_magnitude(const SeenTriangle& s, Hits* hits) {
   if (std::max(again(z.dx), again(z.dy)) != of.greatest) hits->add(3);
 }
 Bins bias_magnitudes(const Contract& c) {
-  Bins bins = named({"dz/dx", "dz/dy", "saturated", "other if rounded twice"});
+  Bins bins =
+      named({"dz/dx", "dz/dy", "saturated", "other if rounded twice",
+             "saturated by a rise, the bias is not", "saturated by a fall, the bias is not"});
   if (c.design.gradient_fraction_bits <= spec::kBiasFactorFractionBits) {
     bins[3].unreachable = "gradients have no more fraction bits";
   }
@@ -416,6 +425,10 @@ constexpr Point<SeenTriangle> kTrianglePoints[] = {
        hits->add(length_of(int64_t{s.x_high} - s.x_low) - 1);
        hits->add(span(s.contract) + length_of(int64_t{s.y_high} - s.y_low) - 1);
      }},
+    {"lone_bit", "two vertices that differ in one bit alone, which moves the box", lone_bits,
+     see_lone_bits},
+    {"power_of_two", "edges as long as one bit, where their direction hangs on it", powers_of_two,
+     see_powers_of_two},
     {"edge_direction", "direction of each edge", [](const Contract&) { return edges(); },
      [](const SeenTriangle& s, Hits* hits) {
        for (size_t i = 0; s.kept() && i < 3; ++i) hits->add(edge_bin(s, i));

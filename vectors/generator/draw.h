@@ -71,11 +71,12 @@ struct SceneClass {
   void (*draw)(Draw& d);
 };
 
-/// Each hard case of coverage, of values and of order, of raster state; then the random classes, and
+/// Each hard case of coverage, of values and of order, of raster state, of single bits; then the random classes, and
 /// those that are drawn from when a level is done and bins are left.
 std::vector<SceneClass> coverage_classes();
 std::vector<SceneClass> value_classes();
 std::vector<SceneClass> state_classes();
+std::vector<SceneClass> bit_classes();
 std::vector<SceneClass> random_classes();
 std::vector<SceneClass> any_classes();
 

@@ -78,7 +78,7 @@ int scenes_of(const SceneClass& kind, int level) {
 void for_each_scene(const spec::Contract& contract, int level, uint64_t seed,
                     const std::function<bool(const Scene&)>& visit) {
   for (const auto& classes :
-       {coverage_classes(), value_classes(), state_classes(), random_classes()}) {
+       {coverage_classes(), value_classes(), state_classes(), bit_classes(), random_classes()}) {
     for (const SceneClass& kind : classes) {
       for (int i = 0; i < scenes_of(kind, level); ++i) {
         if (!visit(drawn(contract, kind, seed, i))) return;
