@@ -118,14 +118,68 @@ InterpZtestCase raw_stamps(const Contract& c, uint64_t seed, int index) {
   return run_model(c, inputs);
 }
 
+// SetupPrims whose edges bound no triangle: each falls any way, and passes near the box or at any distance.
+TraversalCase raw_prims(const Contract& c, uint64_t seed, int index) {
+  const spec::Design& d = c.design;
+  TraversalCase inputs;
+  inputs.name = "raw_edges." + std::to_string(index);
+  spec::Random random(seed ^ spec::text_hash(inputs.name));
+  const int side = 4 << d.tile_log2;
+  inputs.frame.width = inputs.frame.height = side;
+  const auto sorted = [&](int* low, int* high) {
+    *low = static_cast<int>(random.between(0, side - 1));
+    *high = static_cast<int>(random.between(*low, side - 1));
+  };
+  const auto of_any_length = [&](int bits) {
+    const int64_t greatest = (int64_t{1} << random.between(0, bits)) - 1;
+    return random.between(-greatest, greatest);
+  };
+  for (uint32_t i = 0; i < 4; ++i) {
+    spec::SetupPrim prim;
+    prim.id = i;
+    sorted(&prim.x0, &prim.x1);
+    sorted(&prim.y0, &prim.y1);
+    for (spec::EdgeFunction& edge : prim.edge) {
+      edge.a = of_any_length(c.width.edge_coeff - 1);
+      edge.b = of_any_length(c.width.edge_coeff - 1);
+      const int64_t x = random.between(0, side - 1), y = random.between(0, side - 1);
+      const int64_t near = of_any_length(8) - edge.a * x - edge.b * y;
+      const int64_t room = side * (std::abs(edge.a) + std::abs(edge.b));
+      const int64_t farthest = (int64_t{1} << (c.width.edge - 1)) - 1 - room;
+      const int64_t anywhere = of_any_length(c.width.edge - 1);
+      edge.e = random.between(0, 3) == 0 ? std::clamp(anywhere, -farthest, farthest) : near;
+    }
+    prim.planes.z = raw_plane(random, c.width.depth_plane);
+    prim.planes.z_bias = spec::wrap(static_cast<int64_t>(random.bits()), c.width.depth_bias);
+    for (size_t a = 0; a < static_cast<size_t>(d.attributes); ++a) {
+      prim.planes.attr[a] = raw_plane(random, c.width.attr_plane);
+    }
+    spec::PerspectiveSet& p = prim.planes.perspective;
+    for (size_t k = 0; k < 3 && d.perspective; ++k) {
+      p.e_low[k] = static_cast<int32_t>(random.between(0, (1 << d.subpixel_bits) - 1));
+      p.inverse_w[k] = static_cast<int32_t>(
+          random.between(1 << (d.inverse_w_bits - 1), (1 << d.inverse_w_bits) - 1));
+      p.inverse_w_shift[k] =
+          static_cast<int32_t>(random.between(0, (1 << spec::kInverseWShiftBits) - 1));
+      for (size_t a = 0; a < static_cast<size_t>(d.attributes); ++a) {
+        p.attr[k][a] = static_cast<int32_t>(random.between(0, (1 << d.attribute_bits) - 1));
+      }
+    }
+    inputs.in.push_back(prim);
+  }
+  return run_model(c, inputs);
+}
+
 template <class Case>
 void for_each_raw(const Contract& contract, const Request& request,
                   const std::function<void(const Case&)>& visit) {
+  const int times = request.level == 1 ? 1 : 8;
   if constexpr (std::is_same_v<Case, InterpZtestCase>) {
     // These stamps have no edges, hence no weights for perspective.
     if (contract.design.perspective) return;
-    const int count = request.level == 1 ? 8 : 64;
-    for (int i = 0; i < count; ++i) visit(raw_stamps(contract, request.seed, i));
+    for (int i = 0; i < 8 * times; ++i) visit(raw_stamps(contract, request.seed, i));
+  } else if constexpr (std::is_same_v<Case, TraversalCase>) {
+    for (int i = 0; i < 24 * times; ++i) visit(raw_prims(contract, request.seed, i));
   }
 }
 
