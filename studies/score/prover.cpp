@@ -79,6 +79,17 @@ std::string proof_script(const std::string& original, const std::string& mutant)
       original, mutant, kSearchSeconds, kProofSeconds, kMostSeconds, kOut);
 }
 
+/// For what is left then: an older search for equal registers, slower, that leaves fewer where there are
+/// multipliers, equal gates too, and a proof on the rest.
+std::string thorough_script(const std::string& original, const std::string& mutant) {
+  constexpr int kProofSeconds = 30, kMostSeconds = 180;
+  return fmt::format(
+      "! timeout -k 5 {3} yosys-abc -q \"miter {0} {1}; strash; scleanup; lcorr -n; strash; scorr; "
+      "strash; "
+      "pdr -T {2}; print_status\" > {4}/log 2>&1 || true\n",
+      original, mutant, kProofSeconds, kMostSeconds, kOut);
+}
+
 /// What ABC's log says. Throws AreaError where it did not run.
 Decision decision_of(const std::string& log) {
   if (const size_t at = log.find("timeout: failed"); at != std::string::npos) {
@@ -107,15 +118,21 @@ std::vector<Decision> decided(const std::string& unit, const MutantNetlist& netl
                                    "mapping " + unit + " for the prover"}})
                             .front());
   const std::string original = runs.keep(circuit.with_mutant(0), ".aig");
-  std::vector<ToolRun> proofs;
-  for (const int mutant : mutants) {
-    const std::string file = runs.keep(circuit.with_mutant(mutant), ".aig");
-    proofs.push_back({"yosys", proof_script(original, file),
-                      fmt::format("proving mutant {} of {}", mutant, unit)});
-  }
-  std::vector<Decision> decisions;
-  for (const fs::path& folder : runs.run(proofs)) {
-    decisions.push_back(decision_of(text_of(folder / "log")));
+  std::vector<Decision> decisions(mutants.size());
+  for (const auto script : {proof_script, thorough_script}) {
+    std::vector<size_t> open;
+    std::vector<ToolRun> proofs;
+    for (size_t i = 0; i < mutants.size(); ++i) {
+      if (decisions[i].proof != Proof::kUndecided) continue;
+      const std::string file = runs.keep(circuit.with_mutant(mutants[i]), ".aig");
+      open.push_back(i);
+      proofs.push_back({"yosys", script(original, file),
+                        fmt::format("proving mutant {} of {}", mutants[i], unit)});
+    }
+    const std::vector<fs::path> folders = runs.run(proofs);
+    for (size_t k = 0; k < open.size(); ++k) {
+      decisions[open[k]] = decision_of(text_of(folders[k] / "log"));
+    }
   }
   return decisions;
 }
