@@ -84,9 +84,8 @@ std::string proof_script(const std::string& original, const std::string& mutant)
 std::string thorough_script(const std::string& original, const std::string& mutant) {
   constexpr int kProofSeconds = 30, kMostSeconds = 180;
   return fmt::format(
-      "! timeout -k 5 {3} yosys-abc -q \"miter {0} {1}; strash; scleanup; lcorr -n; strash; scorr; "
-      "strash; "
-      "pdr -T {2}; print_status\" > {4}/log 2>&1 || true\n",
+      "! timeout -k 5 {3} yosys-abc -q \"miter {0} {1}; strash; scleanup; lcorr -n; strash; "
+      "scorr; strash; pdr -T {2}; print_status\" > {4}/log 2>&1 || true\n",
       original, mutant, kProofSeconds, kMostSeconds, kOut);
 }
 

@@ -1,6 +1,7 @@
 #include "vectors/generator/generate.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <future>
 #include <memory>
 #include <thread>
@@ -124,7 +125,7 @@ TraversalCase raw_prims(const Contract& c, uint64_t seed, int index) {
   TraversalCase inputs;
   inputs.name = "raw_edges." + std::to_string(index);
   spec::Random random(seed ^ spec::text_hash(inputs.name));
-  const int side = 4 << d.tile_log2;
+  const int side = std::min(4 << d.tile_log2, 1 << d.guard_bits);
   inputs.frame.width = inputs.frame.height = side;
   const auto sorted = [&](int* low, int* high) {
     *low = static_cast<int>(random.between(0, side - 1));
