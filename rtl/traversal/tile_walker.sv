@@ -121,7 +121,7 @@ module tile_walker (
   logic fresh_q; // the tile's first cycle
   logic signed [TILE_Z_BITS-1:0] least_dx, least_dy, least;
   logic [pineda_pkg::HIERARCHICAL_Z_BITS-1:0] floor;
-  logic [pineda_pkg::DEPTH_BITS-pineda_pkg::HIERARCHICAL_Z_BITS-1:0] unused_bits;
+  logic [pineda_pkg::DEPTH_BITS-1:0] code_unused;  // but for its upper bits
   assign tile_x_o = x_q;
   assign tile_y_o = y_q;
   assign least_dx = signed'(narrow_z(prim_q.z_dx));
@@ -130,8 +130,9 @@ module tile_walker (
                  (least_dx < 0 ? (least_dx <<< TILE_LOG2) - least_dx : '0) +
                  (least_dy < 0 ? (least_dy <<< TILE_LOG2) - least_dy : '0);
   depth_code u_floor (
-    .value_i(least), .bias_i(prim_q.z_bias), .code_o({floor, unused_bits})
+    .value_i(least), .bias_i(prim_q.z_bias), .code_o(code_unused)
   );
+  assign floor = code_unused[pineda_pkg::DEPTH_BITS-1 -: pineda_pkg::HIERARCHICAL_Z_BITS];
   assign hidden = busy_q && fresh_q && hides_i && !prim_q.z_steep && !rejected && floor > z_max_i;
   always_ff @(posedge clk_i) fresh_q <= (prim_valid_i && prim_ready_o) || advance;
 `else

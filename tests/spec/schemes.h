@@ -60,9 +60,10 @@ constexpr Design z32(Design d) {
   return d;
 }
 
-/// Hierarchical z of more tiles than the largest frame has.
+/// Hierarchical z of more tiles than the largest frame has, with every bit of a depth.
 constexpr Design hidden(Design d) {
   d.hierarchical_z = true;
+  d.hierarchical_z_bits = d.depth_bits = 16;
   return small(d);
 }
 
