@@ -11,7 +11,7 @@
 #include "model/scene/scene.h"
 #include "model/spec/widths.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library calls itself so
 class App;
 class Option;
 }  // namespace CLI

@@ -22,7 +22,7 @@ void lone_bit(Draw& d, int bit) {
   const int64_t apart = int64_t{1} << bit;
   for (int i = 0; i < 24; ++i) {
     const bool is_x = i % 2 == 1, is_high = i / 2 % 2 == 1;
-    const int64_t start = d.random().between(1, 3) * 4 * d.px();
+    const int64_t start = 4 * d.px() * d.random().between(1, 3);
     int64_t low = start + (2 * apart == d.px() ? d.half() / 2 : d.half());
     if ((low & apart) != 0) low -= apart;
     const int64_t beyond =

@@ -138,8 +138,8 @@ void frame_border(Draw& d) { far_border(d, false); }
 void scissor_border(Draw& d) { far_border(d, true); }
 
 // A frame and a triangle over all of it: each stamp is sent, one after the other.
-void full_frame(Draw& d, int width, int height) {
-  d.frame(width, height);
+void full_frame(Draw& d, int64_t width, int64_t height) {
+  d.frame(static_cast<int>(width), static_cast<int>(height));
   d.scene().frame.depth = DepthFunc::kLequal;
   d.add({Point{-d.reach(2 * width), -d.px()}, Point{d.reach(3 * width), -d.px()},
          Point{0, d.reach(4 * height)}});
