@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "model/files/data_folder.h"
 #include "model/spec/design_file.h"
 #include "model/spec/package.h"
 #include "tb/rtl.h"
@@ -20,8 +21,6 @@ namespace pineda::tb {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path kSource = PINEDA_SOURCE_DIR;
 
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
@@ -47,10 +46,11 @@ struct Kind {
 
 /// Everything that a plug-in is made from, so that no stale one is ever taken.
 std::string key_of(const spec::Contract& contract, const Kind& kind) {
-  std::vector<fs::path> files{kSource / "tb/plugin.map", kSource / "model/spec/pack.h"};
+  const fs::path source = files::data_folder();
+  std::vector<fs::path> files{source / "tb/plugin.map", source / "model/spec/pack.h"};
   for (const char* ending : {".mk", ".cpp", ".h"})
-    files.push_back(kSource / "tb" / (kind.name + ending));
-  for (const auto& entry : fs::recursive_directory_iterator(kSource / "rtl")) {
+    files.push_back(source / "tb" / (kind.name + ending));
+  for (const auto& entry : fs::recursive_directory_iterator(source / "rtl")) {
     // The committed package is not used: each design generates its own.
     if (entry.is_regular_file() && entry.path().filename() != "pineda_pkg.sv") {
       files.push_back(entry.path());
@@ -59,7 +59,7 @@ std::string key_of(const spec::Contract& contract, const Kind& kind) {
   std::sort(files.begin(), files.end());
   std::string text = spec::package_text(contract) + environment("CXXFLAGS") + environment("UNITS") +
                      kind.compiler + kind.variables + kind.verilog;
-  for (const auto& file : files) text += file.string() + read(file);
+  for (const auto& file : files) text += file.lexically_relative(source).string() + read(file);
   return fmt::format("{}{}_{:016x}", contract.design.name, kind.tag, spec::text_hash(text));
 }
 
@@ -72,10 +72,11 @@ void require_tools(const spec::Contract& contract, const Kind& kind) {
                     "render and pineda time serve without",
                     contract.design.name, tool));
   }
-  if (!fs::exists(kSource / "tb" / (kind.name + ".mk"))) {
+  const fs::path source = files::data_folder();
+  if (!fs::exists(source / "tb" / (kind.name + ".mk"))) {
     throw PluginError(
         fmt::format("no RTL of design '{}' is built yet, and its sources are not in {}",
-                    contract.design.name, kSource.string()));
+                    contract.design.name, source.string()));
   }
 }
 
@@ -87,6 +88,15 @@ bool on_path(const std::string& tool) {
     if (access((fs::path(folder) / tool).c_str(), X_OK) == 0) return true;
   }
   return false;
+}
+
+fs::path built_file(const std::string& name) {
+  const fs::path own = files::own_folder();
+  for (const fs::path& folder : {own / "lib", own / "bin", own, own.parent_path() / "lib",
+                                 own.parent_path() / "lib/pineda"}) {
+    if (fs::exists(folder / name)) return folder / name;
+  }
+  return {};
 }
 
 std::string plugin_cache_folder() {
@@ -119,10 +129,7 @@ std::string cached(const spec::Contract& contract, const Kind& kind,
                     contract.design.name, cache.string()));
   }
   std::ofstream(work / "design.toml") << spec::design_toml(contract.design);
-  // Programs lie in the build tree or in its bin/.
-  const fs::path own = fs::read_symlink("/proc/self/exe").parent_path();
-  const fs::path emit =
-      fs::exists(own / "emit_package") ? own / "emit_package" : own / "bin/emit_package";
+  const fs::path emit = built_file("emit_package");
   const std::string compiler = kind.compiler.empty() ? "" : "CXX=" + kind.compiler;
   std::string variables = kind.variables;
   if (!kind.verilog.empty()) {
@@ -132,7 +139,7 @@ std::string cached(const spec::Contract& contract, const Kind& kind,
   const std::string command = fmt::format(
       "exec make -s -j{0} -f '{1}/tb/{4}.mk' DESIGN={2}/design.toml EMIT='{3}' WORK={2}/objects "
       "OUT={2}/plugin.so {5} {6} < /dev/null > {2}/log 2>&1",
-      std::max(1u, std::thread::hardware_concurrency()), kSource.string(), work.string(),
+      std::max(1u, std::thread::hardware_concurrency()), files::data_folder().string(), work.string(),
       emit.string(), kind.name, compiler, variables);
   std::error_code ignored;
   if (!folder.run(command) || !fs::exists(work / "plugin.so")) {

@@ -1,12 +1,17 @@
 // Plug-ins of designs that the build does not carry: verilated on demand, kept for the next time.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
 #include "model/spec/widths.h"
 
 namespace pineda::tb {
+
+/// A file that comes with the program: in its build tree, wherever in it the program lies, or in
+/// PREFIX/lib/pineda where it is installed. Empty where it is missing.
+std::filesystem::path built_file(const std::string& name);
 
 /// The folder that they are kept in: $PINEDA_CACHE, $XDG_CACHE_HOME/pineda or ~/.cache/pineda.
 std::string plugin_cache_folder();

@@ -3,8 +3,6 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "model/spec/design_file.h"
 #include "model/spec/package.h"
 #include "tb/plugin_cache.h"
@@ -12,19 +10,12 @@
 namespace pineda::tb {
 namespace {
 
-// The build tree's lib/, beside the program or one level up, wherever the program is called from;
-// empty when it has none of this design.
+// The plug-in that was built with the program; empty where there is none of this design.
 std::string built_plugin(const spec::Design& design) {
-  namespace fs = std::filesystem;
   const spec::Design* named = spec::find_design(design.name);
   // A design from a file may have taken the name of another.
   if (named == nullptr || spec::design_toml(*named) != spec::design_toml(design)) return {};
-  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
-  const std::string name = fmt::format("pineda_rtl_{}.so", design.name);
-  for (const auto& folder : {program / "lib", program / ".." / "lib"}) {
-    if (fs::exists(folder / name)) return (folder / name).string();
-  }
-  return {};
+  return built_file(fmt::format("pineda_rtl_{}.so", design.name)).string();
 }
 
 std::string plugin_file(const spec::Contract& contract,

@@ -44,6 +44,12 @@ class UnitBench {
 
   RtlUnit& unit() { return unit_; }
   bool write_coverage(const std::string& file) const { return unit_.write_coverage(file); }
+  /// Whatever is at work is gone.
+  void reset() {
+    in_.withdraw();
+    out_.forget();
+    unit_.reset();
+  }
   /// Of the runs that follow, in cycles of each.
   void set_stalls(const Stalls& stalls) { stalls_ = stalls; }
   /// A run that takes more cycles throws RtlError.
@@ -118,6 +124,12 @@ class InterpZtestBench {
   InterpZtestBench(const RtlLibrary& library, const BenchOptions& options);
 
   RtlUnit& unit() { return unit_; }
+  /// Whatever is at work is gone.
+  void reset() {
+    stamps_.withdraw();
+    memory_.forget();
+    unit_.reset();
+  }
   struct Writes {
     Trace<spec::DepthWrite> depth;
     Trace<spec::ColorWrite> color;

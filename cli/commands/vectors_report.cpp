@@ -6,6 +6,7 @@
 #include "cli/commands/vectors_coverage.h"
 #include "cli/report/vectors_page.h"
 #include "cli/reserved_file.h"
+#include "model/files/data_folder.h"
 
 namespace pineda::cli {
 namespace {
@@ -49,7 +50,7 @@ std::vector<UnitMutants> read_mutants(const std::string& file) {
 
 /// Lines FILE | TEXT | REPLACEMENT; a bar in a text is written \|.
 std::vector<CoreMutant> core_mutants() {
-  std::ifstream lines(PINEDA_SOURCE_DIR "/vectors/mutants/core.txt");
+  std::ifstream lines(files::data_folder() / "vectors/mutants/core.txt");
   std::vector<CoreMutant> all;
   for (std::string line; std::getline(lines, line);) {
     if (line.empty() || line[0] == '#') continue;

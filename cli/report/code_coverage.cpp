@@ -4,6 +4,7 @@
 #include <optional>
 #include <tuple>
 
+#include "model/files/data_folder.h"
 #include "model/spec/package.h"
 
 namespace pineda::cli {
@@ -85,7 +86,7 @@ double CodeTally::percent() const {
 }
 
 std::string default_code_waivers() {
-  return PINEDA_SOURCE_DIR "/vectors/coverage/code_waivers.toml";
+  return files::data_folder() / "vectors/coverage/code_waivers.toml";
 }
 
 CodeCoverage code_coverage(const vectors::CodeCounts& counts,

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "cli/output.h"
+#include "model/files/data_folder.h"
 
 namespace pineda::cli {
 namespace {
@@ -44,7 +45,7 @@ Testpoint testpoint_of(const Json& entry) {
 
 }  // namespace
 
-std::string default_testplan() { return PINEDA_SOURCE_DIR "/vectors/testplan.hjson"; }
+std::string default_testplan() { return files::data_folder() / "vectors/testplan.hjson"; }
 
 std::vector<Testpoint> read_testplan(const std::string& file) {
   std::ifstream stream(file);

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include <deque>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -15,10 +16,13 @@
 namespace pineda::spec {
 namespace {
 
-/// Keeps a text until the program ends: a Design only points to its name and summary.
+/// Keeps a text until the program ends, once: a Design only points to its name and summary. Threads may
+/// read designs at the same time.
 const char* kept(const std::string& text) {
-  static std::deque<std::string> all;
-  return all.emplace_back(text).c_str();
+  static std::mutex mutex;
+  static std::set<std::string> all;
+  const std::lock_guard<std::mutex> lock(mutex);
+  return all.insert(text).first->c_str();
 }
 
 // Text from a file as a message may quote it: one line, printable, of limited length.
@@ -113,7 +117,7 @@ uint32_t line_of(const toml::table& table, const std::string& reason) {
 Design parse_design(const std::string& text, const std::string& path) {
   toml::table table;
   try {
-    table = toml::parse(text, path);
+    table = toml::parse(text);
   } catch (const toml::parse_error& error) {
     throw DesignFileError(fmt::format("{}:{}: expected TOML: {}", path, error.source().begin.line,
                                       printable(std::string(error.description()))));

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "model/files/data_folder.h"
 #include "model/spec/package.h"
 #include "studies/area/area_error.h"
 #include "studies/area/rtlil.h"
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 // Of a clock, what a module's own logic may take.
 constexpr double kShareOfLogic = .85;
 
-const fs::path kRtl = fs::path(PINEDA_SOURCE_DIR) / "rtl";
+fs::path rtl(const std::string& file) { return files::data_folder() / "rtl" / file; }
 
 bool has_state(const RtlilCell& cell) {
   return cell.type.rfind("$dff", 0) == 0 || cell.type.rfind("$adff", 0) == 0 ||
@@ -78,9 +79,9 @@ std::string unit_name(const std::string& module) { return module.substr(0, modul
 
 std::string sources_of(const spec::Contract& contract) {
   std::string text = spec::package_text(contract);
-  std::istringstream files(text_of(kRtl / "files.f"));
+  std::istringstream files(text_of(rtl("files.f")));
   for (std::string file; files >> file;) {
-    if (file != "pineda_pkg.sv") text += text_of(kRtl / file);
+    if (file != "pineda_pkg.sv") text += text_of(rtl(file));
   }
   return text;
 }

@@ -10,6 +10,7 @@
 #include <limits>
 #include <sstream>
 
+#include "model/files/data_folder.h"
 #include "studies/area/area_error.h"
 
 namespace pineda::studies {
@@ -17,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kFolder = fs::path(PINEDA_SOURCE_DIR) / "studies/area/technologies";
+fs::path folder() { return files::data_folder() / "studies/area/technologies"; }
 
 /// Takes values from a TOML table and refuses what is not expected.
 class TableReader {
@@ -148,7 +149,7 @@ double macro_area(const std::vector<Macro>& macros, int words, long bits) {
 std::vector<std::string> technology_names() {
   std::vector<std::string> names;
   std::error_code none;
-  for (const auto& entry : fs::directory_iterator(kFolder, none)) {
+  for (const auto& entry : fs::directory_iterator(folder(), none)) {
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
@@ -162,7 +163,7 @@ Technology read_technology(const std::string& name_or_file, const std::string& l
     throw AreaError(
         fmt::format("--technology: expected {}, got '{}'", alternatives(), name_or_file));
   }
-  const std::string file = is_file ? name_or_file : (kFolder / (name_or_file + ".toml")).string();
+  const std::string file = is_file ? name_or_file : (folder() / (name_or_file + ".toml")).string();
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();

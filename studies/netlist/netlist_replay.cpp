@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "model/files/data_folder.h"
 #include "model/spec/package.h"
 #include "studies/area/area.h"
 #include "studies/area/area_error.h"
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kBench = fs::path(PINEDA_SOURCE_DIR) / "studies/netlist/netlist_bench.sv";
+fs::path bench() { return files::data_folder() / "studies/netlist/netlist_bench.sv"; }
 
 void write(const fs::path& file, const std::string& text) {
   std::ofstream stream(file, std::ios::binary);
@@ -34,7 +35,7 @@ std::string command_of(const NetlistTask& task, const std::string& cells, uint64
   return fmt::format(
       "(cd {0} && iverilog -g2012 -Ttyp -I. -s netlist_bench{1} -o bench {2} {3} {4} && "
       "vvp -n bench +vectors=vectors +seed={5} > out) > {0}/log 2>&1 &\n",
-      task.vectors->unit(), parameters, absolute(kBench), absolute(cells), absolute(task.netlist),
+      task.vectors->unit(), parameters, absolute(bench()), absolute(cells), absolute(task.netlist),
       seed);
 }
 

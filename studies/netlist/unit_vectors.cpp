@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "model/files/data_folder.h"
 #include "model/spec/clear_depth.h"
 #include "model/spec/difference.h"
 #include "model/spec/pack.h"
@@ -254,7 +255,7 @@ std::unique_ptr<UnitVectors> read(const spec::Contract& contract, const std::str
 
 /// The committed file of a unit in the formats of the design.
 std::string committed_file(const spec::Contract& contract, const std::string& unit) {
-  const fs::path folder = fs::path(PINEDA_SOURCE_DIR) / "vectors" / unit;
+  const fs::path folder = files::data_folder() / "vectors" / unit;
   std::set<std::string> designs;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = vectors::read_header(entry.path().string()).contract.design.name;

@@ -7,6 +7,7 @@
 #include <map>
 #include <sstream>
 
+#include "model/files/data_folder.h"
 #include "model/spec/package.h"
 #include "studies/area/area_error.h"
 #include "studies/area/rtlil.h"
@@ -15,8 +16,6 @@ namespace pineda::studies {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path kSource = PINEDA_SOURCE_DIR;
 
 /// A source as it stands in the cache, under a name made from its content.
 struct Source {
@@ -106,13 +105,13 @@ MutantNetlist mutated(const spec::Contract& contract, const std::string& unit, i
   std::string files;
   keep("pineda_pkg.sv", package_of(contract), runs, &sources, &files);
   netlist.package = files.substr(1);
-  std::istringstream names(text_of(kSource / "rtl/files.f"));
+  std::istringstream names(text_of(files::data_folder() / "rtl/files.f"));
   for (std::string name; names >> name;) {
     if (name != "pineda_pkg.sv")
-      keep(name, text_of(kSource / "rtl" / name), runs, &sources, &files);
+      keep(name, text_of(files::data_folder() / "rtl" / name), runs, &sources, &files);
   }
   const std::string wrapper = unit + "_with_fifo";
-  const fs::path with_fifo = kSource / "studies/score" / (wrapper + ".sv");
+  const fs::path with_fifo = files::data_folder() / "studies/score" / (wrapper + ".sv");
   const bool is_wrapped = fs::exists(with_fifo);
   if (is_wrapped) keep("raster_top.sv", text_of(with_fifo), runs, &sources, &files);
   // Nets are split where they are driven in parts, or Verilator would see loops through them.

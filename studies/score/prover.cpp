@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "model/files/data_folder.h"
 #include "studies/area/area_error.h"
 #include "studies/area/rtlil.h"
 
@@ -58,7 +59,7 @@ class Circuit {
 std::string circuit_script(const std::string& unit, const MutantNetlist& netlist,
                            const ToolRuns& runs) {
   const std::string legal = runs.keep(
-      text_of(fs::path(PINEDA_SOURCE_DIR) / "studies/score" / (unit + "_legal.sv")), ".sv");
+      text_of(files::data_folder() / "studies/score" / (unit + "_legal.sv")), ".sv");
   return fmt::format(
       "read_rtlil {}\nread_verilog -sv -formal {} {}\nhierarchy -check -top {}_legal\n"
       "proc\nflatten\nopt_clean\nmemory_map\nasync2sync\nopt_expr\nopt_clean\ndffunmap\n"

@@ -10,13 +10,14 @@
 #include <sstream>
 #include <string_view>
 
+#include "model/files/data_folder.h"
 #include "model/spec/design.h"
 #include "vectors/grammar/text.h"
 
 namespace pineda::vectors {
 namespace {
 
-const std::string kRtl = PINEDA_SOURCE_DIR "/rtl/";
+std::filesystem::path rtl(const std::string& file) { return files::data_folder() / "rtl" / file; }
 
 [[noreturn]] void refuse(const std::string& place, const std::string& expected) {
   throw Refused(fmt::format("{}: expected {}", place, expected));
@@ -41,7 +42,7 @@ class WaiverReader {
     if (waiver.reason.find_first_not_of(' ') == std::string::npos) refuse(place_, "a reason");
     if (waiver.blocks.empty() && waiver.bits.empty()) refuse(place_, "blocks or bits");
     if (waiver.designs.empty()) refuse(place_, "designs");
-    if (!std::filesystem::exists(kRtl + waiver.file))
+    if (!std::filesystem::exists(rtl(waiver.file)))
       refuse(place_, "a file in rtl/, got " + waiver.file);
     for (const std::string& design : waiver.designs) {
       if (spec::find_design(design) == nullptr) refuse(place_, "named designs, got " + design);
@@ -135,7 +136,7 @@ std::vector<CodeWaiver> read_code_waivers(const std::string& file) {
 const std::string& RtlSource::line(const std::string& file, int number) {
   auto [at, is_new] = files_.try_emplace(file);
   if (is_new) {
-    std::ifstream from_file(kRtl + file);
+    std::ifstream from_file(rtl(file));
     std::istringstream from_package(package_);
     std::istream& stream =
         file == kPackageFile ? static_cast<std::istream&>(from_package) : from_file;

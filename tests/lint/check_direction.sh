@@ -25,9 +25,10 @@ BEGIN {
   may["tb"] = "tb model/timing model/memory model/core model/files model/spec"
   may["studies"] = "studies tb vectors model/timing model/memory model/scene model/baseline " \
                    "model/judge model/exact model/fast model/core model/figures model/files model/spec"
+  may["golden"] = "golden studies model/scene model/judge model/exact model/fast model/core model/spec"
   may["cli"] = "cli " may["studies"]
   may["examples"] = "examples model/timing model/memory model/scene model/baseline model/judge model/core model/spec"
-  may["tests"] = "tests " may["cli"]
+  may["tests"] = "tests golden " may["cli"]
 }
 function folder(path, part) {
   split(path, part, "/")
