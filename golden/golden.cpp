@@ -161,7 +161,8 @@ pineda_status pineda_get_toml(pineda_model* model, char* text, size_t capacity, 
     const std::string toml = spec::design_toml(contract.design);
     *length = toml.size();
     if (toml.size() >= capacity) {
-      refuse(PINEDA_WRONG_SIZE, "capacity: expected at least {}, got {}", toml.size() + 1, capacity);
+      refuse(PINEDA_WRONG_SIZE, "capacity: expected at least {}, got {}", toml.size() + 1,
+             capacity);
     }
     require_pointer(text, "text");
     std::copy_n(toml.c_str(), toml.size() + 1, text);
@@ -197,18 +198,16 @@ pineda_status pineda_begin_frame(pineda_model* model, const pineda_frame* frame)
 
 pineda_status pineda_draw(pineda_model* model, const pineda_triangle* triangles, size_t count) {
   return call_on(model, [&](const spec::Contract& contract) {
-    golden::draw(model, triangles, count, [&](const pineda_triangle& t) {
-      return golden::triangle_of(contract, t);
-    });
+    golden::draw(model, triangles, count,
+                 [&](const pineda_triangle& t) { return golden::triangle_of(contract, t); });
   });
 }
 
 pineda_status pineda_draw_screen(pineda_model* model, const pineda_screen_triangle* triangles,
                                  size_t count) {
   return call_on(model, [&](const spec::Contract& contract) {
-    golden::draw(model, triangles, count, [&](const pineda_screen_triangle& t) {
-      return golden::snapped(contract, t);
-    });
+    golden::draw(model, triangles, count,
+                 [&](const pineda_screen_triangle& t) { return golden::snapped(contract, t); });
   });
 }
 

@@ -77,8 +77,8 @@ pineda_status pineda_judge(const pineda_frame* frame, const pineda_tolerance* to
     const spec::FrameState state =
         golden::frame_of(frame, bounds.format.guard_bits, bounds.format.depth_bits);
     const studies::FrameDump drawn = golden::dump_of(*dump, state);
-    const auto found = studies::judge_frame(
-        state, bounds, drawn, nullptr, [&](const char*, const auto& visit) {
+    const auto found =
+        studies::judge_frame(state, bounds, drawn, nullptr, [&](const char*, const auto& visit) {
           for (size_t i = 0; i < count; ++i) {
             auto screen = golden::checked(
                 "triangles", i, [&] { return golden::screen_of(bounds.format, triangles[i]); });

@@ -11,8 +11,9 @@
 
 namespace pineda::golden {
 
-#define PINEDA_SAME(C, Cpp, member) \
-  static_assert(offsetof(C, member) == offsetof(Cpp, member) && sizeof(C::member) == sizeof(Cpp::member))
+#define PINEDA_SAME(C, Cpp, member)                             \
+  static_assert(offsetof(C, member) == offsetof(Cpp, member) && \
+                sizeof(C::member) == sizeof(Cpp::member))
 #define PINEDA_SAME_SIZE(C, Cpp) \
   static_assert(sizeof(C) == sizeof(Cpp) && std::is_trivially_copyable_v<Cpp>)
 

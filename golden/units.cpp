@@ -44,14 +44,12 @@ pineda_frame stated(const spec::FrameState& state) {
 
 /// Calls visit(checked struct) of a kind.
 template <class Visit>
-void with_value(const spec::Contract& contract, int32_t kind, const void* value,
-                Visit&& visit) {
+void with_value(const spec::Contract& contract, int32_t kind, const void* value, Visit&& visit) {
   switch (kind) {
     case PINEDA_PACKED_FRAME:
       return visit(frame_of(static_cast<const pineda_frame*>(value), contract));
     case PINEDA_PACKED_TRIANGLE:
-      return visit(
-          triangle_of(contract, *static_cast<const pineda_triangle*>(value)));
+      return visit(triangle_of(contract, *static_cast<const pineda_triangle*>(value)));
     case PINEDA_PACKED_SETUP_PRIM:
       return visit(prim_of(contract, *static_cast<const pineda_setup_prim*>(value)));
     case PINEDA_PACKED_STAMP:
@@ -135,8 +133,8 @@ pineda_status pineda_interpolate(pineda_model* model, const pineda_stamp* stamp,
   });
 }
 
-pineda_status pineda_depth_test(pineda_model* model, int32_t func, uint32_t mask,
-                                const uint32_t* z, const uint32_t* stored, uint32_t* passed) {
+pineda_status pineda_depth_test(pineda_model* model, int32_t func, uint32_t mask, const uint32_t* z,
+                                const uint32_t* stored, uint32_t* passed) {
   return call_on(model, [&](const spec::Contract& contract) {
     require_pointer(passed, "passed");
     golden::require(func, 0, static_cast<int64_t>(std::size(spec::kDepthFuncNames)) - 1, "func");
@@ -146,8 +144,8 @@ pineda_status pineda_depth_test(pineda_model* model, int32_t func, uint32_t mask
     std::array<uint32_t, spec::kMaxLanes> new_codes{}, old_codes{};
     std::copy_n(z, contract.width.lanes, new_codes.begin());
     std::copy_n(stored, contract.width.lanes, old_codes.begin());
-    *passed = core::depth_test(contract, static_cast<spec::DepthFunc>(func), mask, new_codes,
-                               old_codes);
+    *passed =
+        core::depth_test(contract, static_cast<spec::DepthFunc>(func), mask, new_codes, old_codes);
   });
 }
 
@@ -160,8 +158,8 @@ pineda_status pineda_packed_bits(pineda_model* model, int32_t kind, size_t* bits
   });
 }
 
-pineda_status pineda_pack(pineda_model* model, int32_t kind, const void* value,
-                          uint32_t* words, size_t count) {
+pineda_status pineda_pack(pineda_model* model, int32_t kind, const void* value, uint32_t* words,
+                          size_t count) {
   return call_on(model, [&](const spec::Contract& contract) {
     require_pointer(value, "value");
     require_pointer(words, "words");
@@ -173,8 +171,8 @@ pineda_status pineda_pack(pineda_model* model, int32_t kind, const void* value,
   });
 }
 
-pineda_status pineda_unpack(pineda_model* model, int32_t kind, const uint32_t* words,
-                            size_t count, void* value) {
+pineda_status pineda_unpack(pineda_model* model, int32_t kind, const uint32_t* words, size_t count,
+                            void* value) {
   return call_on(model, [&](const spec::Contract& contract) {
     require_pointer(words, "words");
     require_pointer(value, "value");

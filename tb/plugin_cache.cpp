@@ -139,8 +139,8 @@ std::string cached(const spec::Contract& contract, const Kind& kind,
   const std::string command = fmt::format(
       "exec make -s -j{0} -f '{1}/tb/{4}.mk' DESIGN={2}/design.toml EMIT='{3}' WORK={2}/objects "
       "OUT={2}/plugin.so {5} {6} < /dev/null > {2}/log 2>&1",
-      std::max(1u, std::thread::hardware_concurrency()), files::data_folder().string(), work.string(),
-      emit.string(), kind.name, compiler, variables);
+      std::max(1u, std::thread::hardware_concurrency()), files::data_folder().string(),
+      work.string(), emit.string(), kind.name, compiler, variables);
   std::error_code ignored;
   if (!folder.run(command) || !fs::exists(work / "plugin.so")) {
     fs::rename(work / "log", log, ignored);

@@ -58,8 +58,8 @@ class Circuit {
 
 std::string circuit_script(const std::string& unit, const MutantNetlist& netlist,
                            const ToolRuns& runs) {
-  const std::string legal = runs.keep(
-      text_of(files::data_folder() / "studies/score" / (unit + "_legal.sv")), ".sv");
+  const std::string legal =
+      runs.keep(text_of(files::data_folder() / "studies/score" / (unit + "_legal.sv")), ".sv");
   return fmt::format(
       "read_rtlil {}\nread_verilog -sv -formal {} {}\nhierarchy -check -top {}_legal\n"
       "proc\nflatten\nopt_clean\nmemory_map\nasync2sync\nopt_expr\nopt_clean\ndffunmap\n"

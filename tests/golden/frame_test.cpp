@@ -55,8 +55,8 @@ void draw_stamp(pineda_model* model, const spec::Contract& contract, const spec:
   uint32_t passed = stamp.mask;
   if (core::tests_depth(contract, state)) {
     const spec::DepthData stored = buffer->read(contract, stamp.x, stamp.y, stamp.mask);
-    ASSERT_OK(pineda_depth_test(model, static_cast<int32_t>(state.depth), stamp.mask,
-                                fragment.z, stored.z.data(), &passed));
+    ASSERT_OK(pineda_depth_test(model, static_cast<int32_t>(state.depth), stamp.mask, fragment.z,
+                                stored.z.data(), &passed));
   }
   if (passed == 0) return;
   if (core::tests_depth(contract, state) && state.depth_write) {
@@ -105,7 +105,8 @@ TEST_P(GoldenDesign, PackedStructsAreThoseOfTheRtl) {
                           words.size()));
     ASSERT_EQ(words, packer.pack(scene.snapped[i]));
     pineda_triangle back{};
-    ASSERT_OK(pineda_unpack(model.get(), PINEDA_PACKED_TRIANGLE, words.data(), words.size(), &back));
+    ASSERT_OK(
+        pineda_unpack(model.get(), PINEDA_PACKED_TRIANGLE, words.data(), words.size(), &back));
     // A frame of it alone tells whether anything that the design uses was lost.
     const pineda_frame frame = stated(scene.frame);
     pineda_setup_prim prims[2] = {};

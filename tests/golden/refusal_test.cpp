@@ -156,8 +156,7 @@ TEST_F(GoldenRefuses, ScreenTriangleOutOfRange) {
   std::fesetround(FE_UPWARD);
   const pineda_status status = pineda_draw_screen(model_.get(), scene_.screen.data(), 1);
   std::fesetround(FE_TONEAREST);
-  expect(status, PINEDA_OUT_OF_RANGE,
-         "triangles[0].rounding: expected to nearest, in this thread");
+  expect(status, PINEDA_OUT_OF_RANGE, "triangles[0].rounding: expected to nearest, in this thread");
 }
 
 TEST_F(GoldenRefuses, UnitInputsOutOfRange) {
@@ -192,9 +191,7 @@ TEST_F(GoldenRefuses, UnitInputsOutOfRange) {
   EXPECT_EQ(pineda_interpolate(model_.get(), &stamp, &fragment), PINEDA_OUT_OF_RANGE);
 
   uint32_t codes[PINEDA_MAX_LANES] = {}, passed = 0;
-  EXPECT_EQ(pineda_depth_test(model_.get(), 9, 1, codes, codes,
-                              &passed),
-            PINEDA_OUT_OF_RANGE);
+  EXPECT_EQ(pineda_depth_test(model_.get(), 9, 1, codes, codes, &passed), PINEDA_OUT_OF_RANGE);
   EXPECT_EQ(pineda_depth_test(model_.get(), PINEDA_DEPTH_LESS, 16, codes, codes, &passed),
             PINEDA_OUT_OF_RANGE);
   codes[2] = 1 << 24;
@@ -227,8 +224,7 @@ TEST_F(GoldenRefuses, SizesAndOrder) {
          "hits: expected 6144 values, got 1");
   uint32_t words[1];
   EXPECT_EQ(pineda_pack(model_.get(), PINEDA_PACKED_FRAME, &frame_, words, 1), PINEDA_WRONG_SIZE);
-  EXPECT_EQ(pineda_pack(model_.get(), 4, &frame_, words, 1),
-            PINEDA_OUT_OF_RANGE);
+  EXPECT_EQ(pineda_pack(model_.get(), 4, &frame_, words, 1), PINEDA_OUT_OF_RANGE);
   const Model fresh = open_model("low");
   EXPECT_EQ(pineda_draw(fresh.get(), scene_.triangles.data(), 1), PINEDA_NO_FRAME);
   EXPECT_EQ(pineda_read_hits(fresh.get(), hits, 1), PINEDA_NO_FRAME);
@@ -288,10 +284,12 @@ TEST(Golden, EachAllocationMayFail) {
   EXPECT_GT(failures_of([&] { return pineda_begin_frame(opened, &frame); }), 2);
   EXPECT_GT(failures_of([&] {
               return pineda_draw(opened, scene.triangles.data(), scene.triangles.size());
-            }), 0);
+            }),
+            0);
   EXPECT_GT(failures_of([&] {
               return pineda_draw_screen(opened, scene.screen.data(), scene.screen.size());
-            }), 10);
+            }),
+            10);
   std::vector<uint16_t> hits(scene.buffer.hits.size());
   EXPECT_GT(failures_of([&] { return pineda_read_hits(opened, hits.data(), hits.size()); }), 2);
   for (size_t i = 0; i < hits.size(); ++i) ASSERT_EQ(hits[i], 2 * scene.buffer.hits[i]);
@@ -302,7 +300,8 @@ TEST(Golden, EachAllocationMayFail) {
   EXPECT_GT(failures_of([&] {
               return pineda_judge(&frame, &tolerance, scene.screen.data(), 8, &dump, &verdict,
                                   nullptr);
-            }), 10);
+            }),
+            10);
 }
 
 }  // namespace

@@ -36,14 +36,14 @@ extern "C" {
 
 typedef enum pineda_status {
   PINEDA_OK = 0,
-  PINEDA_NULL_POINTER = 1,  /* where something was to be read or written */
-  PINEDA_NO_DESIGN = 2,     /* no design of that name, or its TOML is not one */
-  PINEDA_NO_FRAME = 3,      /* pineda_begin_frame() must come first */
-  PINEDA_OUT_OF_RANGE = 4,  /* a value that its format does not hold, or NaN */
-  PINEDA_WRONG_SIZE = 5,    /* of an array */
-  PINEDA_UNSUPPORTED = 6,   /* the design has no such unit or value */
+  PINEDA_NULL_POINTER = 1, /* where something was to be read or written */
+  PINEDA_NO_DESIGN = 2,    /* no design of that name, or its TOML is not one */
+  PINEDA_NO_FRAME = 3,     /* pineda_begin_frame() must come first */
+  PINEDA_OUT_OF_RANGE = 4, /* a value that its format does not hold, or NaN */
+  PINEDA_WRONG_SIZE = 5,   /* of an array */
+  PINEDA_UNSUPPORTED = 6,  /* the design has no such unit or value */
   PINEDA_OUT_OF_MEMORY = 7,
-  PINEDA_INTERNAL = 8       /* a bug of the library */
+  PINEDA_INTERNAL = 8 /* a bug of the library */
 } pineda_status;
 
 /* "0.1.0"; the ABI that the library was built with. */
@@ -67,15 +67,15 @@ PINEDA_API pineda_status pineda_open_toml(const char* text, const char* name, pi
 PINEDA_API void pineda_close(pineda_model* model);
 
 typedef struct pineda_design {
-  int32_t subpixel_bits;        /* S: positions are multiples of 2^-S px */
-  int32_t guard_bits;           /* G: positions in [-2^G, 2^G) px, frames of up to 2^G px a side */
-  int32_t depth_bits;           /* D; 0: the design has no depth */
-  int32_t attribute_bits;       /* A */
-  int32_t attributes;           /* interpolated */
-  int32_t flat_attributes;      /* those of a triangle's first vertex */
-  int32_t perspective;          /* 1: attributes are corrected by 1/w */
-  int32_t inverse_w_bits;       /* of a mantissa; 0 without perspective */
-  int32_t tile_px;              /* tiles are square */
+  int32_t subpixel_bits;   /* S: positions are multiples of 2^-S px */
+  int32_t guard_bits;      /* G: positions in [-2^G, 2^G) px, frames of up to 2^G px a side */
+  int32_t depth_bits;      /* D; 0: the design has no depth */
+  int32_t attribute_bits;  /* A */
+  int32_t attributes;      /* interpolated */
+  int32_t flat_attributes; /* those of a triangle's first vertex */
+  int32_t perspective;     /* 1: attributes are corrected by 1/w */
+  int32_t inverse_w_bits;  /* of a mantissa; 0 without perspective */
+  int32_t tile_px;         /* tiles are square */
   int32_t stamp_width_px;
   int32_t stamp_height_px;
 } pineda_design;
@@ -103,16 +103,17 @@ typedef enum pineda_depth_func {
 } pineda_depth_func;
 
 typedef struct pineda_frame {
-  int32_t width, height;  /* px, 1 to 2^G */
-  int32_t cull;           /* pineda_cull; front-facing = counter-clockwise on screen */
-  int32_t depth_func;     /* pineda_depth_func */
-  int32_t depth_write;    /* 0 or 1 */
-  int32_t shade;          /* pineda_shade */
-  int32_t has_scissor;    /* 0 or 1 */
-  int32_t scissor_x, scissor_y, scissor_width, scissor_height; /* px; it may reach beyond the frame */
-  int32_t bias_slope;     /* units of 2^-8, -2^15 to 2^15 - 1 */
-  int64_t bias_constant;  /* depth codes, less than 2^D in magnitude */
-  double clear_depth;     /* 0 to 1 */
+  int32_t width, height; /* px, 1 to 2^G */
+  int32_t cull;          /* pineda_cull; front-facing = counter-clockwise on screen */
+  int32_t depth_func;    /* pineda_depth_func */
+  int32_t depth_write;   /* 0 or 1 */
+  int32_t shade;         /* pineda_shade */
+  int32_t has_scissor;   /* 0 or 1 */
+  int32_t scissor_x, scissor_y, scissor_width,
+      scissor_height;    /* px; it may reach beyond the frame */
+  int32_t bias_slope;    /* units of 2^-8, -2^15 to 2^15 - 1 */
+  int64_t bias_constant; /* depth codes, less than 2^D in magnitude */
+  double clear_depth;    /* 0 to 1 */
 } pineda_frame;
 
 /* A frame of this size that is drawn as usual: no culling, depth less and written, cleared to 1. */
@@ -120,25 +121,25 @@ PINEDA_API pineda_frame pineda_default_frame(int32_t width, int32_t height);
 
 /* A snapped vertex. */
 typedef struct pineda_vertex {
-  int32_t x, y;                         /* units of 2^-S px */
-  int64_t z;                            /* units of 2^-8 codes, 0 to (2^D - 1) * 2^8 */
-  int32_t attr[PINEDA_MAX_ATTRIBUTES];  /* interpolated ones, then flat ones; others are ignored */
+  int32_t x, y;                        /* units of 2^-S px */
+  int64_t z;                           /* units of 2^-8 codes, 0 to (2^D - 1) * 2^8 */
+  int32_t attr[PINEDA_MAX_ATTRIBUTES]; /* interpolated ones, then flat ones; others are ignored */
   /* With perspective, else ignored: 1/w = inverse_w * 2^-inverse_w_shift * f with a common f,
    * 2^(bits-1) <= inverse_w < 2^bits, 0 <= shift < 256; a vertex of the three has shift 0. */
   int32_t inverse_w, inverse_w_shift;
 } pineda_vertex;
 
 typedef struct pineda_triangle {
-  uint32_t id;  /* passed on */
+  uint32_t id; /* passed on */
   pineda_vertex v[3];
 } pineda_triangle;
 
 /* A vertex after the viewport transform. Positions within the guard band, 0 <= z <= 1, w normal and
  * positive. */
 typedef struct pineda_screen_vertex {
-  float x, y;  /* px */
+  float x, y; /* px */
   float z;
-  float w;     /* clip-space; 1: affine */
+  float w; /* clip-space; 1: affine */
   uint8_t rgba[4];
 } pineda_screen_vertex;
 
@@ -171,7 +172,8 @@ PINEDA_API pineda_status pineda_read_color(pineda_model* model, uint16_t* color,
 /* ---- Units. Each is a pure function of the design and its inputs ---- */
 
 typedef struct pineda_plane {
-  int64_t dx, dy, ref; /* value = ref + x*dx + y*dy, modulo its width; px from the reference sample */
+  int64_t dx, dy,
+      ref; /* value = ref + x*dx + y*dy, modulo its width; px from the reference sample */
 } pineda_plane;
 
 typedef struct pineda_edge {
@@ -236,8 +238,8 @@ PINEDA_API pineda_status pineda_interpolate(pineda_model* model, const pineda_st
 /* The lanes of `mask` whose depth passes against the stored one by a pineda_depth_func. `z`, `stored`:
  * of all lanes. */
 PINEDA_API pineda_status pineda_depth_test(pineda_model* model, int32_t func, uint32_t mask,
-                                           const uint32_t* z,
-                                           const uint32_t* stored, uint32_t* passed);
+                                           const uint32_t* z, const uint32_t* stored,
+                                           uint32_t* passed);
 
 /* ---- Structs as the bits of their SystemVerilog packed structs (rtl/pineda_pkg.sv) ----
  * Bit i is bit i%32 of word i/32. `kind` is a pineda_packed. */
@@ -254,8 +256,8 @@ PINEDA_API pineda_status pineda_packed_bits(pineda_model* model, int32_t kind, s
 PINEDA_API pineda_status pineda_pack(pineda_model* model, int32_t kind, const void* value,
                                      uint32_t* words, size_t count);
 /* Bits above the struct are ignored. */
-PINEDA_API pineda_status pineda_unpack(pineda_model* model, int32_t kind,
-                                       const uint32_t* words, size_t count, void* value);
+PINEDA_API pineda_status pineda_unpack(pineda_model* model, int32_t kind, const uint32_t* words,
+                                       size_t count, void* value);
 
 /* ---- Judge: any rasterizer's frame against exact arithmetic; no model, no design ---- */
 

@@ -8,6 +8,7 @@
 #include "model/memory/stalls.h"
 #include "model/timing/counted/cycles.h"
 #include "model/timing/ports/memory_port.h"
+#include "model/timing/standard.h"
 
 namespace pineda::timing {
 

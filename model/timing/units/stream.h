@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/timing/counted/fifo_levels.h"
+#include "model/timing/standard.h"
 #include "model/timing/units/frame.h"
 
 namespace pineda::timing {
