@@ -10,11 +10,40 @@
 
 namespace pineda::timing {
 
+namespace {
+
+// Units of a design that cannot be would have no size, so none is made.
+const spec::Contract& checked(const spec::Contract& contract) {
+  std::string why = spec::invalid_reason(contract.design);
+  if (why.empty()) why = spec::no_cycles_reason(contract.design);
+  if (why.empty()) return contract;
+  why = contract.design.name + (": " + why);
+  SC_REPORT_ERROR("pineda/raster_top/design", why.c_str());
+  throw std::invalid_argument(why);
+}
+
+}  // namespace
+
+// A frame being drawn, however it ends.
+class RasterTop::Running {
+ public:
+  explicit Running(RasterTop* top) : top_(*top) { top_.running_ = true; }
+  ~Running() {
+    top_.running_ = false;
+    top_.frame_.listener = nullptr;
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+ private:
+  RasterTop& top_;
+};
+
 RasterTop::RasterTop(sc_core::sc_module_name name, const spec::Contract& contract,
                      Memories memories)
     : sc_module(name),
-      contract_(contract),
-      triangles_("triangles"),
+      contract_(checked(contract)),
+      triangles_("triangles", contract),
       setup_("setup", contract),
       prims_("prims", Fifo::kPrims, contract.design.prim_fifo_depth),
       traversal_("traversal", contract),
@@ -36,6 +65,13 @@ RasterTop::RasterTop(sc_core::sc_module_name name, const spec::Contract& contrac
       memory::make_timing(memory::Kind::kIdeal, contract, contract.design.depth_latency_cycles));
   if (contract.design.depth_test) ports_.depth.socket.bind(memory_->depth_socket);
   ports_.color.socket.bind(memory_->color_socket);
+  ports_.depth.set_inside([this](tlm::tlm_command command, Cycle offered) {
+    const bool read = command == tlm::TLM_READ_COMMAND;
+    return memory_->ready_from(read ? MemoryPort::kDepthRead : MemoryPort::kDepthWrite, offered);
+  });
+  ports_.color.set_inside([this](tlm::tlm_command, Cycle offered) {
+    return memory_->ready_from(MemoryPort::kColorWrite, offered);
+  });
 }
 
 void RasterTop::end_of_elaboration() {
@@ -96,30 +132,51 @@ FrameResult RasterTop::run(const spec::FrameState& state,
 }
 
 FrameResult RasterTop::draw(const spec::FrameState& state, const Next& next, Listener* listener) {
-  const int largest = 1 << contract_.design.guard_bits;
-  if (std::min(state.width, state.height) < 1 || std::max(state.width, state.height) > largest) {
-    throw std::invalid_argument("frame: expected 1 to " + std::to_string(largest) + " px, got " +
-                                std::to_string(state.width) + "x" + std::to_string(state.height));
-  }
-  const bool in_process = sc_core::sc_get_status() == sc_core::SC_RUNNING;
+  if (!can_begin(state)) return empty_result(contract_);
+  const Running running(this);
   if (!sc_core::sc_start_of_simulation_invoked()) sc_core::sc_start(sc_core::SC_ZERO_TIME);
   begin_frame(state, listener);
-  triangles_.draw(next, run_from_);
+  const TriangleSource::Failure failure = triangles_.draw(next, run_from_);
   setup_.drain();
   interp_ztest_.drain();
-  frame_.listener = nullptr;
   const FrameResult frame = result();
-  const auto end = begun_ + sc_core::sc_time::from_value(
-                                static_cast<uint64_t>(frame.spent.drained) * period_.value());
-  if (in_process && end > sc_core::sc_time_stamp()) wait(end - sc_core::sc_time_stamp());
+  pass_time(frame.spent.drained);
+  if (failure.thrown) std::rethrow_exception(failure.thrown);
+  if (!failure.out_of_range.empty()) {
+    SC_REPORT_ERROR("pineda/raster_top/vertex", failure.out_of_range.c_str());
+  }
   return frame;
+}
+
+// Says why not.
+bool RasterTop::can_begin(const spec::FrameState& state) const {
+  if (running_) {
+    const std::string text = std::string(name()) + " draws a frame already";
+    SC_REPORT_ERROR("pineda/raster_top/busy", text.c_str());
+    return false;
+  }
+  const int largest = 1 << contract_.design.guard_bits;
+  if (std::min(state.width, state.height) >= 1 && std::max(state.width, state.height) <= largest) {
+    return true;
+  }
+  const std::string text = "expected 1 to " + std::to_string(largest) + " px, got " +
+                           std::to_string(state.width) + "x" + std::to_string(state.height);
+  SC_REPORT_ERROR("pineda/raster_top/frame", text.c_str());
+  return false;
+}
+
+// In a process: until the frame's time is over.
+void RasterTop::pass_time(Cycle drained) const {
+  if (sc_core::sc_get_status() != sc_core::SC_RUNNING) return;
+  const auto end =
+      begun_ + sc_core::sc_time::from_value(static_cast<uint64_t>(drained) * period_.value());
+  if (end > sc_core::sc_time_stamp()) sc_core::wait(end - sc_core::sc_time_stamp());
 }
 
 void RasterTop::begin_frame(const spec::FrameState& state, Listener* listener) {
   frame_ = {};
   frame_.state = state;
   frame_.listener = listener;
-  begun_ = sc_core::sc_time_stamp();
   hierarchical_z_.begin_frame(state);
   if (contract_.design.hierarchical_z) frame_.hierarchical_z = &hierarchical_z_;
   is_direct_ = listener == nullptr && memory_ && memory_->is_transparent() &&
@@ -132,6 +189,7 @@ void RasterTop::begin_frame(const spec::FrameState& state, Listener* listener) {
     ports_.begin_frame(state);
     if (memory_) memory_->begin_frame(state);
   }
+  begun_ = sc_core::sc_time_stamp();
   prims_.begin_frame(listener);
   stamps_.begin_frame(listener);
   setup_.begin_frame(&frame_);

@@ -24,8 +24,12 @@ enum class Memories {
 ///          each token.
 /// Rate     see the units: the cycles are those of the RTL, write by write.
 /// Drops    see SetupUnit.
-/// Errors   a frame outside 1 .. 2^guard px: std::invalid_argument. What pull throws, run() throws,
-///          after the triangles before it are drawn; the next frame starts clean.
+/// Errors   SC_REPORT_ERROR, ids "pineda/raster_top/...": "design", in the constructor, of one that
+///          has no cycles; "frame", of a size outside 1 .. 2^guard px; "busy", of a run() within
+///          another; "vertex", of a triangle with a number beyond its field, before anything of it
+///          is drawn. See MemorySocket for its own. What pull throws, run() throws. Triangles before
+///          the fault are drawn, and the next frame starts clean. Where the handler does not throw,
+///          the frame ends before the fault, and the constructor throws std::invalid_argument.
 /// Twin     rtl/raster_top.sv.
 ///
 /// There is no clock and no process: a triangle goes through all units before the next one is
@@ -64,6 +68,9 @@ class RasterTop final : public sc_core::sc_module {
   FrameResult run(const spec::FrameState& state, const Pull& pull, Listener* listener = nullptr);
   FrameResult run(const spec::FrameState& state, const std::vector<spec::Triangle>& triangles,
                   Listener* listener = nullptr);
+  /// From another process: the frame that is being drawn ends at its next transaction, and run()
+  /// throws Stopped there. What is written stays.
+  void stop() { ports_.stop(); }
 
   /// The first cycle in which all units are idle if no triangle comes any more. A pull that asks
   /// gets that of the triangles before; memories that are not always ready may still have writes.
@@ -74,7 +81,10 @@ class RasterTop final : public sc_core::sc_module {
 
  private:
   void end_of_elaboration() override;
+  class Running;
   FrameResult draw(const spec::FrameState& state, const Next& next, Listener* listener);
+  bool can_begin(const spec::FrameState& state) const;
+  void pass_time(Cycle drained) const;
   void begin_frame(const spec::FrameState& state, Listener* listener);
   void clear_direct();
   void leave_out_bits();
@@ -97,6 +107,7 @@ class RasterTop final : public sc_core::sc_module {
   HierarchicalZ hierarchical_z_;
   LastWrite last_write_;
   bool bits_ = true;
+  bool running_ = false;
   bool is_direct_ = false;    // the last frame was drawn into direct_, memory_ did not see it
   fast::TiledBuffer direct_;  // hits stay 0
 };

@@ -101,4 +101,15 @@ std::string difference(const std::vector<Event<T>>& expected, const std::vector<
 std::string difference(const Record& expected, const Record& got, bool with_cycles,
                        const spec::Contract& contract = kContract);
 
+/// "ID: MESSAGE" of the SC_REPORT_ERROR that an action throws; empty if none.
+template <class Action>
+std::string reported(Action&& action) {
+  try {
+    action();
+  } catch (const sc_core::sc_report& report) {
+    return std::string(report.get_msg_type()) + ": " + report.get_msg();
+  }
+  return {};
+}
+
 }  // namespace pineda::test

@@ -96,23 +96,30 @@ Cycle FrameMemory::ready_from(MemoryPort port, Cycle from) const {
   }
 }
 
-MemoryPort FrameMemory::port_of(const Side& side, const tlm::tlm_generic_payload& payload) const {
-  return payload.is_read() && &side == &depth_ ? MemoryPort::kDepthRead : side.write_port;
+MemoryPort FrameMemory::port_of(const Side& side, tlm::tlm_command command) const {
+  const bool read = command == tlm::TLM_READ_COMMAND && &side == &depth_;
+  return read ? MemoryPort::kDepthRead : side.write_port;
 }
 
 Cycle FrameMemory::accept(const Side& side, const tlm::tlm_generic_payload& payload, Cycle cycle,
                           uint64_t address) {
   const auto stamp = static_cast<int>(address / static_cast<uint64_t>(side.layout.stamp_bytes));
   const int columns = side.layout.columns;
-  const Cycle response =
-      timing_->accept(port_of(side, payload), cycle, stamp % columns, stamp / columns);
+  const Cycle response = timing_->accept(port_of(side, payload.get_command()), cycle,
+                                         stamp % columns, stamp / columns);
   return payload.is_read() ? response : cycle;
 }
 
 void FrameMemory::transport(Side* side, tlm::tlm_generic_payload* payload,
                             sc_core::sc_time* delay) {
   payload->set_response_status(tlm::TLM_OK_RESPONSE);
-  if (!payload->is_read() && !payload->is_write()) return;
+  auto* const extension = payload->get_extension<HandshakeExtension>();
+  if (!payload->is_read() && !payload->is_write()) {
+    if (extension != nullptr) {
+      extension->ready_from = ready_from(port_of(*side, extension->asked), extension->offered);
+    }
+    return;
+  }
   const uint64_t length = payload->get_data_length();
   if (length == 0 || payload->get_address() >= side->bytes.size() ||
       length > side->bytes.size() - payload->get_address()) {
@@ -124,21 +131,16 @@ void FrameMemory::transport(Side* side, tlm::tlm_generic_payload* payload,
     return;
   }
   payload->set_dmi_allowed(is_transparent());
-  auto* const extension = payload->get_extension<HandshakeExtension>();
   extension != nullptr ? handshake(side, payload, extension, delay) : access(side, payload, delay);
 }
 
 void FrameMemory::handshake(Side* side, tlm::tlm_generic_payload* payload,
                             HandshakeExtension* extension, sc_core::sc_time* delay) {
-  const Cycle ready = ready_from(port_of(*side, *payload), extension->offered);
-  if (ready > extension->offered) {
-    extension->retry_from = ready;
-    return;
-  }
-  extension->accepted = ready;
+  const Cycle offered = extension->offered;
+  extension->accepted = ready_from(port_of(*side, payload->get_command()), offered);
   move_bytes(*payload, side->bytes.data() + payload->get_address());
-  const Cycle end = accept(*side, *payload, ready, payload->get_address());
-  *delay += sc_core::sc_time::from_value(static_cast<uint64_t>(end - ready) * period_.value());
+  const Cycle end = accept(*side, *payload, extension->accepted, payload->get_address());
+  *delay += sc_core::sc_time::from_value(static_cast<uint64_t>(end - offered) * period_.value());
 }
 
 void FrameMemory::access(Side* side, tlm::tlm_generic_payload* payload, sc_core::sc_time* delay) {
@@ -149,7 +151,7 @@ void FrameMemory::access(Side* side, tlm::tlm_generic_payload* payload, sc_core:
   const auto step = static_cast<uint64_t>(side->layout.stamp_bytes);
   const uint64_t last = payload->get_address() + payload->get_data_length();
   for (uint64_t at = payload->get_address() / step * step; at < last; at += step) {
-    cycle = ready_from(port_of(*side, *payload), cycle);
+    cycle = ready_from(port_of(*side, payload->get_command()), cycle);
     end = accept(*side, *payload, cycle, at);
     ++cycle;
   }

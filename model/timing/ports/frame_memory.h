@@ -18,10 +18,10 @@ namespace pineda::timing {
 ///
 /// Bits     bytes at the addresses of memory::FrameLayout, from 0 on.
 /// In       blocking transport, byte enables; debug transport. With a HandshakeExtension a request
-///          is one stamp, and is accepted in the cycle in which it is offered or not at all.
-///          Without one it may be any range: its stamps are accessed one after the other, and the
-///          delay that comes back ends with the last one's response or acceptance. Colours are read
-///          at the port that writes them.
+///          is one stamp, offered in the cycle that it says, and a port can be asked when it takes
+///          one. Without it a request may be any range: its stamps are accessed one after the
+///          other. The delay that comes back ends with the last one's response or acceptance.
+///          Colours are read at the port that writes them.
 /// Rate     that of the timing, in the cycles in which the ports do not stall. A memory of fixed
 ///          latency that does not stall grants direct access.
 /// Errors   beyond the frame: TLM_ADDRESS_ERROR_RESPONSE; a streaming width below the length:
@@ -43,6 +43,8 @@ class FrameMemory final : public sc_core::sc_module {
   /// In the next frame no request waits and every read takes fixed_latency(), whatever the order.
   bool is_transparent() const { return next_->fixed_latency() > 0 && !ready_; }
   Cycle fixed_latency() const { return next_->fixed_latency(); }
+  /// The first cycle from `from` on in which a port takes a request.
+  Cycle ready_from(memory::MemoryPort port, Cycle from) const;
 
   /// Clears both for a frame of this size, whose cycle 0 is now. Gives back granted direct access.
   void begin_frame(const spec::FrameState& frame);
@@ -67,8 +69,7 @@ class FrameMemory final : public sc_core::sc_module {
                  sc_core::sc_time* delay);
   void access(Side* side, tlm::tlm_generic_payload* payload, sc_core::sc_time* delay);
   bool grant(Side* side, tlm::tlm_dmi* dmi);
-  Cycle ready_from(memory::MemoryPort port, Cycle from) const;
-  memory::MemoryPort port_of(const Side& side, const tlm::tlm_generic_payload& payload) const;
+  memory::MemoryPort port_of(const Side& side, tlm::tlm_command command) const;
   // The cycle in which a request ends that is accepted in `cycle`.
   Cycle accept(const Side& side, const tlm::tlm_generic_payload& payload, Cycle cycle,
                uint64_t address);

@@ -61,8 +61,15 @@ class MemoryPorts final : public sc_core::sc_module, public DepthMemory, public 
   MemorySocket color;
 
   void begin_frame(const spec::FrameState& frame) {
+    depth.get_to_know(frame);
+    color.get_to_know(frame);
     depth.begin_frame(frame);
     color.begin_frame(frame);
+  }
+  /// See MemorySocket.
+  void stop() {
+    depth.stop();
+    color.stop();
   }
 
   Reply read(const spec::DepthRead& request, Cycle offered, spec::DepthData* data) override;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <sstream>
 
 namespace pineda::timing {
 
@@ -35,10 +36,25 @@ MemorySocket::MemorySocket(const char* name, const spec::Contract& contract, int
   payload_.set_data_ptr(data_.data());
 }
 
+void MemorySocket::set_base(uint64_t base) {
+  if (base != base_) knows_ = Knows::kUnknown;  // another target may lie there
+  base_ = base;
+}
+
+void MemorySocket::get_to_know(const spec::FrameState& frame) {
+  if (knows_ != Knows::kUnknown || inside_ || socket.size() == 0) return;
+  layout_ = {contract_, frame, sample_bytes_};
+  begun_ = sc_core::sc_time_stamp();
+  ask(tlm::TLM_WRITE_COMMAND, base_, 0);
+  knows_ = handshake_.ready_from >= 0 ? Knows::kHandshake : Knows::kNothing;
+}
+
 void MemorySocket::begin_frame(const spec::FrameState& frame) {
   layout_ = {contract_, frame, sample_bytes_};
   begun_ = sc_core::sc_time_stamp();
   last_response_ = -1;
+  in_process_ = !inside_ && sc_core::sc_get_status() == sc_core::SC_RUNNING;
+  stopped_ = false;
 }
 
 MemorySocket::Taken MemorySocket::read(int x, int y, uint32_t mask, Cycle offered,
@@ -89,40 +105,71 @@ MemorySocket::Taken MemorySocket::write(const spec::ColorWrite& write, Cycle off
 
 MemorySocket::Taken MemorySocket::transfer(tlm::tlm_command command, int x, int y, uint32_t mask,
                                            Cycle offered) {
-  enable(mask);
-  return transport(command, base_ + layout_.offset(x, y), offered);
+  return transport(command, base_ + layout_.offset(x, y), mask, offered);
 }
 
 MemorySocket::Taken MemorySocket::transport(tlm::tlm_command command, uint64_t address,
-                                            Cycle offered) {
-  // A target may wait and so let simulated time pass. A request that should have been offered
-  // meanwhile is offered now.
-  offered = std::max(offered, cycles_until(sc_core::sc_time_stamp()));
+                                            uint32_t mask, Cycle offered) {
+  wait_for_quantum(offered);
+  if (stopped_) throw Stopped();
+  if (inside_ || knows_ == Knows::kHandshake) {
+    const Cycle ready =
+        inside_ ? inside_(command, offered) : std::max(ask(command, address, offered), offered);
+    if (ready > offered) return {-1, -1, ready};
+  }
+  enable(mask);
+  const Cycle done = offered + issue(command, address, offered);
+  if (payload_.is_response_error()) report_error();
+  const bool read = command == tlm::TLM_READ_COMMAND;
+  const Cycle otherwise = read ? offered : done;
+  const Cycle accepted = handshake_.accepted >= 0 ? handshake_.accepted : otherwise;
+  if (payload_.is_dmi_allowed() && !has_dmi_) ask_for_direct_access();
+  return {accepted, read ? ordered(std::max(done, accepted + 1)) : -1, -1};
+}
+
+// As a quantum keeper does: whoever is too far ahead waits until simulated time has caught up.
+void MemorySocket::wait_for_quantum(Cycle offered) const {
+  if (!in_process_) return;
+  const sc_core::sc_time due = time_of(offered);
+  const sc_core::sc_time& now = sc_core::sc_time_stamp();
+  if (due > now && due - now > tlm::tlm_global_quantum::instance().get()) sc_core::wait(due - now);
+}
+
+// When the target would accept a request. A target that takes TLM_IGNORE_COMMAND for a write finds
+// no byte to write.
+Cycle MemorySocket::ask(tlm::tlm_command command, uint64_t address, Cycle offered) {
+  static unsigned char disabled = TLM_BYTE_DISABLED;
+  payload_.set_byte_enable_ptr(&disabled);
+  payload_.set_byte_enable_length(1);
+  handshake_.asked = command;
+  issue(tlm::TLM_IGNORE_COMMAND, address, offered);
+  return handshake_.ready_from;
+}
+
+Cycle MemorySocket::issue(tlm::tlm_command command, uint64_t address, Cycle offered) {
   handshake_.offered = offered;
-  handshake_.accepted = handshake_.retry_from = -1;
+  handshake_.accepted = handshake_.ready_from = -1;
   payload_.set_command(command);
   payload_.set_address(address);
   payload_.set_data_length(static_cast<unsigned>(layout_.stamp_bytes));
   payload_.set_streaming_width(static_cast<unsigned>(layout_.stamp_bytes));
   payload_.set_dmi_allowed(false);
   payload_.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
-  auto delay = begun_ +
-               sc_core::sc_time::from_value(static_cast<uint64_t>(offered) * period_.value()) -
-               sc_core::sc_time_stamp();
+  // A target that waited has let simulated time pass. A request of the meantime is issued now, and
+  // takes as long as it would have then.
+  const sc_core::sc_time sent = std::max(time_of(offered), sc_core::sc_time_stamp());
+  sc_core::sc_time delay = sent - sc_core::sc_time_stamp();
   socket->b_transport(payload_, delay);
-  if (payload_.is_response_error()) {
-    SC_REPORT_FATAL("pineda/memory/response", payload_.get_response_string().c_str());
-  }
-  if (handshake_.retry_from >= 0) {
-    sc_assert(handshake_.retry_from > offered);
-    return {-1, -1, handshake_.retry_from};
-  }
-  const bool read = command == tlm::TLM_READ_COMMAND;
-  const Cycle done = std::max(cycles_until(sc_core::sc_time_stamp() + delay), offered);
-  const Cycle otherwise = read ? offered : done;
-  const Cycle accepted = handshake_.accepted >= 0 ? handshake_.accepted : otherwise;
-  if (payload_.is_dmi_allowed() && !has_dmi_) ask_for_direct_access();
-  return {accepted, read ? ordered(std::max(done, accepted + 1)) : -1, -1};
+  const sc_core::sc_time end = sc_core::sc_time_stamp() + delay;
+  return end > sent ? cycles_in(end - sent) : 0;
+}
+
+void MemorySocket::report_error() const {
+  std::ostringstream text;
+  text << socket.name() << ": " << (payload_.is_read() ? "read" : "write") << " of "
+       << payload_.get_data_length() << " bytes at 0x" << std::hex << payload_.get_address() << ": "
+       << payload_.get_response_string();
+  SC_REPORT_ERROR("pineda/memory/response", text.str().c_str());
 }
 
 Cycle MemorySocket::ordered(Cycle response) {
@@ -150,11 +197,8 @@ void MemorySocket::enable(uint32_t mask) {
 void MemorySocket::ask_for_direct_access() {
   dmi_.init();
   has_dmi_ = socket->get_direct_mem_ptr(payload_, dmi_) && dmi_.is_read_write_allowed();
-  const auto cycles = [this](const sc_core::sc_time& latency) {
-    return cycles_until(begun_ + latency);
-  };
-  direct_read_cycles_ = std::max<Cycle>(cycles(dmi_.get_read_latency()), 1);
-  direct_write_cycles_ = cycles(dmi_.get_write_latency());
+  direct_read_cycles_ = std::max<Cycle>(cycles_in(dmi_.get_read_latency()), 1);
+  direct_write_cycles_ = cycles_in(dmi_.get_write_latency());
 }
 
 void MemorySocket::invalidate(sc_dt::uint64 start, sc_dt::uint64 end) {
@@ -171,9 +215,12 @@ unsigned char* MemorySocket::direct(uint64_t address) const {
   return dmi_.get_dmi_ptr() + (address - dmi_.get_start_address());
 }
 
-Cycle MemorySocket::cycles_until(const sc_core::sc_time& time) const {
-  const uint64_t passed = (time - begun_).value();
-  return static_cast<Cycle>((passed + period_.value() - 1) / period_.value());
+sc_core::sc_time MemorySocket::time_of(Cycle cycle) const {
+  return begun_ + sc_core::sc_time::from_value(static_cast<uint64_t>(cycle) * period_.value());
+}
+
+Cycle MemorySocket::cycles_in(const sc_core::sc_time& time) const {
+  return static_cast<Cycle>((time.value() + period_.value() - 1) / period_.value());
 }
 
 }  // namespace pineda::timing

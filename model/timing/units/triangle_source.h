@@ -3,9 +3,11 @@
 
 #include <exception>
 #include <functional>
+#include <string>
 
 #include "model/timing/ports/memory.h"
 #include "model/timing/units/stream.h"
+#include "model/timing/units/triangle_range.h"
 
 namespace pineda::timing {
 
@@ -18,22 +20,30 @@ using Next = std::function<const spec::Triangle*()>;
 /// cycle 0 on, any other after the one before it is taken: from the first cycle on in which the
 /// port is ready, until it is taken.
 ///
-/// Errors   tri_o left unbound: SC_REPORT_FATAL "pineda/triangles/unbound".
+/// Errors   tri_o left unbound: SC_REPORT_FATAL "pineda/triangles/unbound". A triangle out of range
+///          and what next throws end the stream before that triangle; draw() says which.
 class TriangleSource final : public sc_core::sc_module {
  public:
   Port<StreamIn<spec::Triangle>> tri_o{"tri_o"};
 
-  explicit TriangleSource(sc_core::sc_module_name name) : sc_module(name) {}
+  /// Why the stream ended before its end: neither if it did not.
+  struct Failure {
+    std::exception_ptr thrown;  // by next
+    std::string out_of_range;   // which number of the triangle
+  };
+
+  TriangleSource(sc_core::sc_module_name name, const spec::Contract& contract)
+      : sc_module(name), range_(contract) {}
 
   void set_ready(Ready ready) { ready_ = std::move(ready); }
-  /// Sends all of them through the units. None is taken before `run_from`. What next throws, draw()
-  /// throws, after the triangles before it are drawn.
-  void draw(const Next& next, Cycle run_from);
+  /// Sends all of them through the units. None is taken before `run_from`.
+  Failure draw(const Next& next, Cycle run_from);
 
  private:
   void end_of_elaboration() override { require_bound(tri_o, "pineda/triangles/unbound"); }
 
   Ready ready_;
+  TriangleRange range_;
 };
 
 }  // namespace pineda::timing
