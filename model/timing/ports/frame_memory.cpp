@@ -1,28 +1,10 @@
 #include "model/timing/ports/frame_memory.h"
 
-#include <algorithm>
-#include <cstring>
+#include "model/timing/ports/payload.h"
 
 namespace pineda::timing {
 
 using memory::MemoryPort;
-
-namespace {
-
-// Moves the payload's enabled bytes from or to the memory.
-void move_bytes(const tlm::tlm_generic_payload& payload, unsigned char* memory_bytes) {
-  unsigned char* const data = payload.get_data_ptr();
-  const unsigned length = payload.get_data_length();
-  const unsigned char* const enables = payload.get_byte_enable_ptr();
-  const unsigned period = payload.get_byte_enable_length();
-  for (unsigned i = 0; i < length; ++i) {
-    if (enables != nullptr && enables[i % period] != TLM_BYTE_ENABLED) continue;
-    if (payload.is_read()) data[i] = memory_bytes[i];
-    if (payload.is_write()) memory_bytes[i] = data[i];
-  }
-}
-
-}  // namespace
 
 FrameMemory::FrameMemory(sc_core::sc_module_name name, const spec::Contract& contract,
                          std::shared_ptr<memory::MemoryTiming> timing,
@@ -120,16 +102,8 @@ void FrameMemory::transport(Side* side, tlm::tlm_generic_payload* payload,
     }
     return;
   }
-  const uint64_t length = payload->get_data_length();
-  if (length == 0 || payload->get_address() >= side->bytes.size() ||
-      length > side->bytes.size() - payload->get_address()) {
-    payload->set_response_status(tlm::TLM_ADDRESS_ERROR_RESPONSE);
-    return;
-  }
-  if (payload->get_streaming_width() < length) {
-    payload->set_response_status(tlm::TLM_BURST_ERROR_RESPONSE);
-    return;
-  }
+  payload->set_response_status(checked_range(*payload, side->bytes.size()));
+  if (payload->is_response_error()) return;
   payload->set_dmi_allowed(is_transparent());
   extension != nullptr ? handshake(side, payload, extension, delay) : access(side, payload, delay);
 }
@@ -171,21 +145,6 @@ bool FrameMemory::grant(Side* side, tlm::tlm_dmi* dmi) {
   return true;
 }
 
-namespace {
-
-unsigned debug(std::vector<unsigned char>* bytes, const tlm::tlm_generic_payload& payload) {
-  const uint64_t address = payload.get_address();
-  if (address >= bytes->size()) return 0;
-  const auto length =
-      static_cast<unsigned>(std::min<uint64_t>(payload.get_data_length(), bytes->size() - address));
-  unsigned char* const at = bytes->data() + address;
-  if (payload.is_read()) std::memcpy(payload.get_data_ptr(), at, length);
-  if (payload.is_write()) std::memcpy(at, payload.get_data_ptr(), length);
-  return length;
-}
-
-}  // namespace
-
 void FrameMemory::depth_transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay) {
   transport(&depth_, &payload, &delay);
 }
@@ -199,10 +158,10 @@ bool FrameMemory::color_direct(tlm::tlm_generic_payload&, tlm::tlm_dmi& dmi) {
   return grant(&color_, &dmi);
 }
 unsigned FrameMemory::depth_debug(tlm::tlm_generic_payload& payload) {
-  return debug(&depth_.bytes, payload);
+  return debug_bytes(payload, &depth_.bytes);
 }
 unsigned FrameMemory::color_debug(tlm::tlm_generic_payload& payload) {
-  return debug(&color_.bytes, payload);
+  return debug_bytes(payload, &color_.bytes);
 }
 
 }  // namespace pineda::timing
