@@ -76,6 +76,11 @@ class RasterTop final : public sc_core::sc_module {
   /// gets that of the triangles before; memories that are not always ready may still have writes.
   Cycle idle_from() const;
 
+  /// When cycle 0 of the last frame was.
+  const sc_core::sc_time& begun() const { return begun_; }
+  /// From a pull that waits in its process: issues the writes that are due before that cycle.
+  void write_until(Cycle cycle) { interp_ztest_.advance(cycle); }
+
   /// Depth and colour of the last frame in memories inside; its hits are not counted.
   core::FrameBuffer buffer() const;
 
