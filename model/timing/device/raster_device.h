@@ -61,9 +61,9 @@ class RasterDevice final : public sc_core::sc_module {
 
   void b_transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
   unsigned transport_dbg(tlm::tlm_generic_payload& payload);
-  tlm::tlm_response_status write(const RegisterRow& row, uint32_t value);
+  tlm::tlm_response_status write(const RegisterRow& row, uint32_t written);
   uint32_t read(const RegisterRow& row) const;
-  tlm::tlm_response_status control(uint32_t value);
+  tlm::tlm_response_status control(uint32_t bits);
   tlm::tlm_response_status push(uint32_t word);
   bool start(bool pushed);
   void reset();

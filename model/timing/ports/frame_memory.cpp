@@ -30,6 +30,7 @@ void FrameMemory::begin_frame(const spec::FrameState& frame) {
   }
   timing_ = next_;
   timing_->begin_frame(frame);
+  answer_.from = -1;
   frame_ = frame;
   begun_ = sc_core::sc_time_stamp();
   depth_.layout = {contract_, frame, memory::kDepthBytes};
@@ -70,12 +71,15 @@ core::FrameBuffer FrameMemory::buffer() const {
   return buffer;
 }
 
-Cycle FrameMemory::ready_from(MemoryPort port, Cycle from) const {
-  for (Cycle cycle = from;;) {
-    const Cycle taken = timing_->ready_from(port, cycle);
+Cycle FrameMemory::ready_from(MemoryPort port, Cycle from) {
+  if (answer_.port == port && answer_.from == from) return answer_.cycle;
+  Cycle cycle = from;
+  for (Cycle taken = -1; cycle != taken;) {
+    taken = timing_->ready_from(port, cycle);
     cycle = first_ready(ready_, memory::stalling(port), taken);
-    if (cycle == taken) return cycle;
   }
+  answer_ = {port, from, cycle};
+  return cycle;
 }
 
 MemoryPort FrameMemory::port_of(const Side& side, tlm::tlm_command command) const {
@@ -85,6 +89,7 @@ MemoryPort FrameMemory::port_of(const Side& side, tlm::tlm_command command) cons
 
 Cycle FrameMemory::accept(const Side& side, const tlm::tlm_generic_payload& payload, Cycle cycle,
                           uint64_t address) {
+  answer_.from = -1;
   const auto stamp = static_cast<int>(address / static_cast<uint64_t>(side.layout.stamp_bytes));
   const int columns = side.layout.columns;
   const Cycle response = timing_->accept(port_of(side, payload.get_command()), cycle,

@@ -38,13 +38,16 @@ class FrameMemory final : public sc_core::sc_module {
   /// From the next frame on.
   void set_timing(std::shared_ptr<memory::MemoryTiming> timing) { next_ = std::move(timing); }
   void set_period(const sc_core::sc_time& period) { period_ = period; }
-  void set_ready(Ready ready) { ready_ = std::move(ready); }
+  void set_ready(Ready ready) {
+    ready_ = std::move(ready);
+    answer_.from = -1;
+  }
   const memory::MemoryTiming& timing() const { return *timing_; }
   /// In the next frame no request waits and every read takes fixed_latency(), whatever the order.
   bool is_transparent() const { return next_->fixed_latency() > 0 && !ready_; }
   Cycle fixed_latency() const { return next_->fixed_latency(); }
   /// The first cycle from `from` on in which a port takes a request.
-  Cycle ready_from(memory::MemoryPort port, Cycle from) const;
+  Cycle ready_from(memory::MemoryPort port, Cycle from);
 
   /// Clears both for a frame of this size, whose cycle 0 is now. Gives back granted direct access.
   void begin_frame(const spec::FrameState& frame);
@@ -83,6 +86,11 @@ class FrameMemory final : public sc_core::sc_module {
   Side depth_{memory::MemoryPort::kDepthWrite, {}, {}};
   Side color_{memory::MemoryPort::kColorWrite, {}, {}};
   bool granted_ = false;
+  /// The last answer of ready_from(): a request comes right after the question about it.
+  struct {
+    memory::MemoryPort port{};
+    Cycle from = -1, cycle = -1;
+  } answer_;
 };
 
 }  // namespace pineda::timing
