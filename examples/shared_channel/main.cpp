@@ -33,7 +33,7 @@ constexpr timing::Cycle kTriangleCycles = 38;  // that the channel works for a t
 
 std::vector<spec::Triangle> triangles_of(uint64_t seed) {
   spec::RandomFrom<spec::SplitMix64> random(seed);
-  constexpr int kPx = 1 << spec::kHighTile.subpixel_bits;
+  constexpr int64_t kPx = 1 << spec::kHighTile.subpixel_bits;
   std::vector<spec::Triangle> triangles(kTriangles);
   for (int i = 0; i < kTriangles; ++i) {
     spec::Triangle& t = triangles[static_cast<size_t>(i)];
