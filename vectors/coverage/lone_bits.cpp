@@ -72,4 +72,24 @@ void see_powers_of_two(const SeenTriangle& s, Hits* hits) {
   }
 }
 
+Bins far_samples(const spec::Contract& c) {
+  return product(named({"lowest x,", "highest x,", "lowest y,", "highest y,"}),
+                 numbered(0, c.design.guard_bits - 1, "bit"));
+}
+
+void see_far_samples(const SeenTriangle& s, Hits* hits) {
+  if (!s.kept()) return;
+  const spec::Design& d = s.contract.design;
+  const int shift = d.subpixel_bits, half = 1 << (shift - 1);
+  const int sides[] = {s.x_low, s.x_high, s.y_low, s.y_high};
+  for (size_t side = 0; side < 4; ++side) {
+    const int value = sides[side];
+    if (value < 0 || (value & ((1 << shift) - 1)) != half) continue;
+    for (int bit = 0; bit < d.guard_bits; ++bit) {
+      if ((value >> shift >> bit & 1) == 0) continue;
+      hits->add(side * static_cast<size_t>(d.guard_bits) + static_cast<size_t>(bit));
+    }
+  }
+}
+
 }  // namespace pineda::vectors

@@ -13,4 +13,8 @@ void see_lone_bits(const SeenTriangle& seen, Hits* hits);
 Bins powers_of_two(const spec::Contract& contract);
 void see_powers_of_two(const SeenTriangle& seen, Hits* hits);
 
+/// Sides of the box at a vertex on a row or column of samples, by the bits of its number.
+Bins far_samples(const spec::Contract& contract);
+void see_far_samples(const SeenTriangle& seen, Hits* hits);
+
 }  // namespace pineda::vectors

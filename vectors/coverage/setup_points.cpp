@@ -429,6 +429,8 @@ constexpr Point<SeenTriangle> kTrianglePoints[] = {
      see_lone_bits},
     {"power_of_two", "edges as long as one bit, where their direction hangs on it", powers_of_two,
      see_powers_of_two},
+    {"far_sample", "sides of the box at a vertex on samples, by the bits of their column or row",
+     far_samples, see_far_samples},
     {"edge_direction", "direction of each edge", [](const Contract&) { return edges(); },
      [](const SeenTriangle& s, Hits* hits) {
        for (size_t i = 0; s.kept() && i < 3; ++i) hits->add(edge_bin(s, i));

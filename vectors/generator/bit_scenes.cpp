@@ -1,4 +1,4 @@
-// Scenes in which one bit alone decides: two vertices apart by it, an edge as long as it.
+// Scenes in which one bit alone decides: two vertices apart by it, an edge as long as it, a corner on a sample.
 #include <algorithm>
 
 #include "vectors/generator/draw.h"
@@ -61,10 +61,27 @@ void powers_of_two(Draw& d) {
   for_each_bit(d, [&](int bit) { power_of_two(d, bit); });
 }
 
+// Corners on samples, so that each side of the box hangs on one bit, anywhere in a frame low and wide, or high and
+// narrow.
+void far_on_samples(Draw& d) {
+  constexpr int kReach = 7;
+  const int side = 1 << d.contract().design.guard_bits;
+  const bool wide = d.index() % 2 == 0;
+  d.frame(wide ? side : kReach + 1, wide ? kReach + 1 : side);
+  for (int i = 0; i < 8; ++i) {
+    const int64_t first = d.random().between(0, side - kReach - 1);
+    const Point low = wide ? Point{first, 0} : Point{0, first};
+    const Point high = low + Point{kReach, kReach};
+    d.add({d.center_in_box(low, high), d.center_in_box(low, high), d.center_in_box(low, high)});
+  }
+}
+
 }  // namespace
 
 std::vector<SceneClass> bit_classes() {
-  return {{"lone_bit", kScenes, lone_bits}, {"power_of_two", kScenes, powers_of_two}};
+  return {{"lone_bit", kScenes, lone_bits},
+          {"power_of_two", kScenes, powers_of_two},
+          {"far_on_samples", kScenes, far_on_samples}};
 }
 
 }  // namespace pineda::vectors

@@ -31,7 +31,9 @@ struct Region {
   explicit Region(uint64_t base)
       : depth(base),
         color(base + memory::FrameLayout(kContract, kFrame, memory::kDepthBytes).bytes()),
-        end(color + memory::FrameLayout(kContract, kFrame, memory::color_bytes(kContract.design)).bytes()) {}
+        end(color +
+            memory::FrameLayout(kContract, kFrame, memory::color_bytes(kContract.design)).bytes()) {
+  }
   uint64_t depth, color, end;
 };
 
@@ -78,7 +80,8 @@ struct Processor : sc_core::sc_module {
     for (uint64_t at = region_.depth; at < region_.color; ++at) {
       bytes[at] = static_cast<unsigned char>(depth >> 8 * (at % memory::kDepthBytes));
     }
-    std::fill(bytes.begin() + static_cast<long>(region_.color), bytes.begin() + static_cast<long>(region_.end), 0);
+    std::fill(bytes.begin() + static_cast<long>(region_.color),
+              bytes.begin() + static_cast<long>(region_.end), 0);
   }
 
   timing::RasterTop& rasterizer_;
@@ -89,7 +92,8 @@ struct Processor : sc_core::sc_module {
 }  // namespace
 
 int sc_main(int argc, char* argv[]) {
-  tlm::tlm_global_quantum::instance().set(sc_time(argc > 1 ? std::atof(argv[1]) : 0, sc_core::SC_NS));
+  tlm::tlm_global_quantum::instance().set(
+      sc_time(argc > 1 ? std::atof(argv[1]) : 0, sc_core::SC_NS));
   const Region region[2] = {Region(0), Region(Region(0).end)};
   timing::SharedMemoryParameters parameters;
   parameters.bytes = region[1].end;
@@ -114,15 +118,18 @@ int sc_main(int argc, char* argv[]) {
   const bool same = std::equal(bytes.begin(), bytes.begin() + static_cast<long>(region[0].end),
                                bytes.begin() + static_cast<long>(region[1].depth));
   const bool drawn = std::any_of(bytes.begin() + static_cast<long>(region[0].color),
-                                 bytes.begin() + static_cast<long>(region[0].end), [](int byte) { return byte > 0; });
+                                 bytes.begin() + static_cast<long>(region[0].end),
+                                 [](int byte) { return byte > 0; });
   std::printf("alone     %lld and %lld cycles\ntogether  %lld and %lld cycles\n",
               static_cast<long long>(first.cycles[0]), static_cast<long long>(second.cycles[0]),
               static_cast<long long>(first.cycles[1]), static_cast<long long>(second.cycles[1]));
   for (size_t i = 0; i < 4; ++i) {
     std::printf("socket %d  %llu bytes, waited %lld cycles\n", static_cast<int>(i),
-                static_cast<unsigned long long>(dram.counters(i).bytes), static_cast<long long>(dram.counters(i).waited));
+                static_cast<unsigned long long>(dram.counters(i).bytes),
+                static_cast<long long>(dram.counters(i).waited));
   }
-  const bool holds = same && drawn && first.cycles[0] == second.cycles[0] && first.cycles[1] > first.cycles[0];
+  const bool holds =
+      same && drawn && first.cycles[0] == second.cycles[0] && first.cycles[1] > first.cycles[0];
   std::printf("%s\n", holds ? "Both frames are the same." : "IT DOES NOT HOLD.");
   return holds ? 0 : 1;
 }
