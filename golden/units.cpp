@@ -181,9 +181,7 @@ pineda_status pineda_unpack(pineda_model* model, int32_t kind, const uint32_t* w
       using Outer = decltype(outer);
       const spec::Packer<Inner> packer(contract);
       golden::require_words(count, packer.bits());
-      spec::Packed padded(words, words + count);
-      padded.resize(count + 2);  // fields are read by up to three words
-      const Inner unpacked = packer.unpack(padded.data());
+      const Inner unpacked = packer.unpack(words);
       if constexpr (std::is_same_v<Outer, pineda_frame>) {
         *static_cast<Outer*>(value) = golden::stated(unpacked);
       } else {

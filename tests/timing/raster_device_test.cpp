@@ -268,6 +268,8 @@ TEST_F(RasterDevice, StateThatDoesNotExistIsRefused) {
         {Register::kState, 3},
         {Register::kState, 9 << 4},
         {Register::kBiasSlope, 32768},
+        {Register::kBiasConstant, 1 << 24},
+        {Register::kBiasConstantHigh, 1},
         {Register::kClearDepth, 0x7fc00000},
         {Register::kClearDepth, 0xbf800000},
     };

@@ -46,6 +46,7 @@ RasterDevice::RasterDevice(sc_core::sc_module_name name, const spec::Contract& c
                            const sc_core::sc_time& period)
     : sc_module(name),
       period_(period),
+      bias_limit_(int64_t{1} << contract.design.depth_bits),
       top_("top", contract, Memories::kOutside),
       fetch_("fetch", contract) {
   registers.register_b_transport(this, &RasterDevice::b_transport);
@@ -152,10 +153,12 @@ bool RasterDevice::read_state(spec::FrameState* state) const {
   const uint32_t cull = bits & 3;
   const uint32_t depth = bits >> 4 & 15;
   const auto slope = static_cast<int32_t>(value(Register::kBiasSlope));
+  const auto bias = static_cast<int64_t>(both(Register::kBiasConstant));
   float clear_depth;
   std::memcpy(&clear_depth, &values_[static_cast<size_t>(Register::kClearDepth)], 4);
   if (cull >= std::size(spec::kCullNames) || depth >= std::size(spec::kDepthFuncNames) ||
-      slope < INT16_MIN || slope > INT16_MAX || !(clear_depth >= 0 && clear_depth <= 1)) {
+      slope < INT16_MIN || slope > INT16_MAX || bias <= -bias_limit_ || bias >= bias_limit_ ||
+      !(clear_depth >= 0 && clear_depth <= 1)) {
     return false;
   }
   const auto low = [this](Register reg) { return static_cast<int>(value(reg) & 0xffff); };
@@ -170,7 +173,7 @@ bool RasterDevice::read_state(spec::FrameState* state) const {
   state->scissor_y0 = high(Register::kScissorMin);
   state->scissor_x1 = low(Register::kScissorMax);
   state->scissor_y1 = high(Register::kScissorMax);
-  state->bias_constant = static_cast<int64_t>(both(Register::kBiasConstant));
+  state->bias_constant = bias;
   state->bias_slope = slope;
   state->clear_depth = static_cast<double>(clear_depth);
   return true;

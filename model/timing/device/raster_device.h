@@ -80,6 +80,7 @@ class RasterDevice final : public sc_core::sc_module {
   bool read_state(spec::FrameState* state) const;
 
   sc_core::sc_time period_;
+  int64_t bias_limit_;  // a constant is nearer to 0
   RasterTop top_;
   TriangleFetch fetch_;
   std::array<uint32_t, kRegisterCount> values_{};

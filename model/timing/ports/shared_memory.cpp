@@ -1,5 +1,6 @@
 #include "model/timing/ports/shared_memory.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace pineda::timing {
