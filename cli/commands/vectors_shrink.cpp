@@ -72,7 +72,7 @@ class Shrinking {
           contract_, [&](const std::string& text) { output_.say(text); });
       runner_.emplace(*library_, bench_options(options_, contract_));
     }
-    std::optional<Failure<Case>> failure = first_failure();
+    std::optional<Failure<Case>> failure = next_failure();
     Json json = header_json(options_, reader_.header());
     json["fails"] = failure.has_value();
     if (!failure) {
@@ -81,12 +81,7 @@ class Shrinking {
       output_.json(json);
       return kHolds;
     }
-    const std::string kind = vectors::kind_of(failure->what);
-    const Case small = vectors::shrunk<Case>(contract_, failure->value, [&](const Case& candidate) {
-      progress_.update("trying", ++tried_);
-      const auto what = failure_of(candidate);
-      return what && vectors::kind_of(*what) == kind;
-    });
+    const Case small = smallest(&*failure);
     write(small, result_);
     const std::optional<std::string> alone = failure_of(small);
     const std::string what = alone.value_or(failure->what);
@@ -109,7 +104,32 @@ class Shrinking {
   }
 
  private:
-  std::optional<Failure<Case>> first_failure() {
+  // The first case that fails, made small; on our RTL also a later one, where that leaves fewer inputs.
+  Case smallest(Failure<Case>* failure) {
+    constexpr size_t kFewInputs = 3;
+    constexpr int kCases = 8;
+    Case small = shrunk(*failure);
+    for (int i = 1; runner_ && i < kCases && small.in.size() > kFewInputs; ++i) {
+      const auto later = next_failure();
+      if (!later) break;
+      const Case other = shrunk(*later);
+      if (other.in.size() >= small.in.size()) continue;
+      small = other;
+      *failure = *later;
+    }
+    return small;
+  }
+
+  Case shrunk(const Failure<Case>& failure) {
+    const std::string kind = vectors::kind_of(failure.what);
+    return vectors::shrunk<Case>(contract_, failure.value, [&](const Case& candidate) {
+      progress_.update("trying", ++tried_);
+      const auto what = failure_of(candidate);
+      return what && vectors::kind_of(*what) == kind;
+    });
+  }
+
+  std::optional<Failure<Case>> next_failure() {
     for (Case c; reader_.next(&c);) {
       progress_.update("looking", ++looked_);
       if (const auto what = failure_of(c)) return Failure<Case>{c, *what};

@@ -67,7 +67,7 @@ class Caller {
  private:
   /// Mostly in [low, high], often at an end, sometimes anything.
   int64_t near(int64_t low, int64_t high) {
-    switch (data_.ConsumeIntegralInRange<int>(0, 7)) {
+    switch (data_.ConsumeIntegralInRange<int>(0, 31)) {
       case 0:
         return data_.ConsumeIntegral<int64_t>();
       case 1:
@@ -80,7 +80,7 @@ class Caller {
   }
   int32_t near32(int64_t low, int64_t high) { return static_cast<int32_t>(near(low, high)); }
   float near_float(float low, float high) {
-    switch (data_.ConsumeIntegralInRange<int>(0, 7)) {
+    switch (data_.ConsumeIntegralInRange<int>(0, 15)) {
       case 0: {
         const auto bits = data_.ConsumeIntegral<uint32_t>();
         float value;
@@ -129,6 +129,7 @@ class Caller {
       v.y = near32(reach == close ? 0 : -limit, reach - 1);
       v.z = near(0, ((int64_t{1} << formats_.depth_bits) - 1) << 8);
       for (int32_t& a : v.attr) a = near32(0, (1 << formats_.attribute_bits) - 1);
+      if (formats_.perspective == 0) continue;
       v.inverse_w = near32(1 << (formats_.inverse_w_bits - 1), (1 << formats_.inverse_w_bits) - 1);
       v.inverse_w_shift = near32(0, 3);
     }
