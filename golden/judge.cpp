@@ -8,9 +8,13 @@ namespace pineda::golden {
 namespace {
 
 studies::FrameTolerance tolerance_of(const pineda_tolerance& stated) {
-  require(stated.subpixel_bits, 4, 12, "tolerance.subpixel_bits");
-  require(stated.guard_bits, 4, 14, "tolerance.guard_bits");
-  require(stated.depth_bits, 16, 32, "tolerance.depth_bits");
+  // The formats are those that a design may have.
+  spec::Design design = *spec::find_design("persp");
+  design.subpixel_bits = stated.subpixel_bits;
+  design.guard_bits = stated.guard_bits;
+  design.depth_bits = stated.depth_bits;
+  const std::string why = spec::invalid_reason(design);
+  if (!why.empty()) refuse(PINEDA_OUT_OF_RANGE, "tolerance: {}", why);
   const double most = 4294967296.;
   if (!(stated.depth_ulp >= 0 && stated.depth_ulp <= most)) {
     refuse(PINEDA_OUT_OF_RANGE, "tolerance.depth_ulp: expected 0 to {}, got {}", most,

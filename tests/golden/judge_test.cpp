@@ -88,6 +88,7 @@ TEST_F(GoldenJudge, BadInputIsRefused) {
   tolerance = pineda_default_tolerance();
   tolerance.subpixel_bits = 13;
   EXPECT_EQ(judge(tolerance, dump_), PINEDA_OUT_OF_RANGE);
+  EXPECT_EQ(std::string(pineda_last_error()), "tolerance: subpixel_bits is 13, must be 4 to 12");
   tolerance = pineda_default_tolerance();
   scene_.screen[3].v[1].w = 0;
   EXPECT_EQ(judge(tolerance, dump_), PINEDA_OUT_OF_RANGE);
