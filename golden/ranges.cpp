@@ -6,6 +6,7 @@
 
 #include "golden/structs.h"
 #include "model/scene/state.h"
+#include "model/spec/triangle_range.h"
 
 namespace pineda::golden {
 namespace {
@@ -34,22 +35,6 @@ void require_fields(const spec::Contract& contract, const T& value) {
       }
     }
   }
-}
-
-void require_vertex(const spec::Contract& contract, const spec::Vertex& v) {
-  const spec::Design& d = contract.design;
-  const int64_t limit = power(d.guard_bits + d.subpixel_bits);
-  require(v.x, -limit, limit - 1, "x");
-  require(v.y, -limit, limit - 1, "y");
-  if (d.depth_test) {
-    require(v.z, 0, (power(d.depth_bits) - 1) << spec::kDepthInputFractionBits, "z");
-  }
-  for (size_t i = 0; i < static_cast<size_t>(spec::channels(d)); ++i) {
-    require(v.attr[i], 0, power(d.attribute_bits) - 1, "attr");
-  }
-  if (!d.perspective) return;
-  require(v.inverse_w, power(d.inverse_w_bits - 1), power(d.inverse_w_bits) - 1, "inverse_w");
-  require(v.inverse_w_shift, 0, power(spec::kInverseWShiftBits) - 1, "inverse_w_shift");
 }
 
 /// 0 or 1, since it becomes a bool.
@@ -101,14 +86,8 @@ spec::FrameState frame_of(const pineda_frame* frame, int guard_bits, int depth_b
 
 spec::Triangle triangle_of(const spec::Contract& contract, const pineda_triangle& triangle) {
   const auto result = same<spec::Triangle>(triangle);
-  bool has_greatest = !contract.design.perspective;
-  for (size_t i = 0; i < 3; ++i) {
-    checked("v", i, [&] { require_vertex(contract, result.v[i]); });
-    has_greatest |= result.v[i].inverse_w_shift == 0;
-  }
-  if (!has_greatest) {
-    refuse(PINEDA_OUT_OF_RANGE, "inverse_w_shift: expected 0 at one of the vertices");
-  }
+  const spec::TriangleRange range(contract);
+  if (!range.holds(result)) refuse(PINEDA_OUT_OF_RANGE, "{}", range.reason(result));
   return result;
 }
 

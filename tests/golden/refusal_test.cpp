@@ -103,7 +103,7 @@ TEST_F(GoldenRefuses, SnappedTriangleOutOfRange) {
       {[](auto* v) { v->z = int64_t{1} << 32; },
        "triangles[1].v[2].z: expected 0 to 4294967040, got 4294967296"},
       {[](auto* v) { v->z = -1; }, "triangles[1].v[2].z: expected 0 to 4294967040, got -1"},
-      {[](auto* v) { v->attr[3] = 256; }, "triangles[1].v[2].attr: expected 0 to 255, got 256"},
+      {[](auto* v) { v->attr[3] = 256; }, "triangles[1].v[2].attr[3]: expected 0 to 255, got 256"},
   };
   for (const Case& one : cases) {
     pineda_triangle triangles[2] = {scene_.triangles[0], scene_.triangles[1]};

@@ -43,17 +43,16 @@ TEST_F(RasterTopReports, TriangleBeyondItsFieldsIsRefused) {
     const char* text;
   };
   const Case cases[] = {
-      {[](auto* t) { t->v[2].x = 1 << 22; },
-       "vertex 2, x: expected -4194304 to 4194303, got 4194304"},
+      {[](auto* t) { t->v[2].x = 1 << 22; }, "v[2].x: expected -4194304 to 4194303, got 4194304"},
       {[](auto* t) { t->v[0].x = INT32_MAX; },
-       "vertex 0, x: expected -4194304 to 4194303, got 2147483647"},
+       "v[0].x: expected -4194304 to 4194303, got 2147483647"},
       {[](auto* t) { t->v[1].y = -(1 << 22) - 1; },
-       "vertex 1, y: expected -4194304 to 4194303, got -4194305"},
-      {[](auto* t) { t->v[1].z = int64_t{1} << 32; },
-       "vertex 1, z: expected 0 to 4294967295, got 4294967296"},
-      {[](auto* t) { t->v[0].z = -1; }, "vertex 0, z: expected 0 to 4294967295, got -1"},
-      {[](auto* t) { t->v[2].attr[3] = 256; }, "vertex 2, attr[3]: expected 0 to 255, got 256"},
-      {[](auto* t) { t->v[0].attr[0] = -1; }, "vertex 0, attr[0]: expected 0 to 255, got -1"},
+       "v[1].y: expected -4194304 to 4194303, got -4194305"},
+      {[](auto* t) { t->v[1].z = (int64_t{0xffffff} << 8) + 1; },
+       "v[1].z: expected 0 to 4294967040, got 4294967041"},
+      {[](auto* t) { t->v[0].z = -1; }, "v[0].z: expected 0 to 4294967040, got -1"},
+      {[](auto* t) { t->v[2].attr[3] = 256; }, "v[2].attr[3]: expected 0 to 255, got 256"},
+      {[](auto* t) { t->v[0].attr[0] = -1; }, "v[0].attr[0]: expected 0 to 255, got -1"},
   };
   for (const Case& c : cases) {
     Scene scene{{2, 2}, {cover(1000), cover(999), cover(998)}};
@@ -67,7 +66,7 @@ TEST_F(RasterTopReports, TriangleBeyondItsFieldsIsRefused) {
   }
   // What the design does not have may hold anything, and so may what stands at the ends.
   spec::Triangle t = cover();
-  t.v[0] = {(1 << 22) - 1, -(1 << 22), (int64_t{1} << 32) - 1, {255, 0, 255, 0, -1}, -1, 1 << 20};
+  t.v[0] = {(1 << 22) - 1, -(1 << 22), int64_t{0xffffff} << 8, {255, 0, 255, 0, -1}, -1, 1 << 20};
   EXPECT_EQ(reported([&] { run({{2, 2}, {t}}); }), "");
   EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 46);
 }
@@ -87,15 +86,19 @@ TEST(RasterTopErrors, InverseWAndFlatAttributesHaveRanges) {
   EXPECT_EQ(report(good), "");
   spec::Triangle t = good;
   t.v[0].attr[last] = 1 << design.attribute_bits;
-  EXPECT_EQ(report(t), "pineda/raster_top/vertex: triangle 0, vertex 0, flat:");
+  EXPECT_EQ(report(t),
+            "pineda/raster_top/vertex: triangle 0, v[0].attr[" + std::to_string(last) + "]:");
   t = good;
   t.v[1].inverse_w -= 1;
-  EXPECT_EQ(report(t), "pineda/raster_top/vertex: triangle 0, vertex 1, inverse_w:");
+  EXPECT_EQ(report(t), "pineda/raster_top/vertex: triangle 0, v[1].inverse_w:");
   t.v[1].inverse_w = 1 << design.inverse_w_bits;
-  EXPECT_EQ(report(t), "pineda/raster_top/vertex: triangle 0, vertex 1, inverse_w:");
+  EXPECT_EQ(report(t), "pineda/raster_top/vertex: triangle 0, v[1].inverse_w:");
   t = good;
   t.v[2].inverse_w_shift = 256;
-  EXPECT_EQ(report(t), "pineda/raster_top/vertex: triangle 0, vertex 2, inverse_w_shift:");
+  EXPECT_EQ(report(t), "pineda/raster_top/vertex: triangle 0, v[2].inverse_w_shift:");
+  t = good;
+  for (auto& v : t.v) v.inverse_w_shift = 1;
+  EXPECT_EQ(report(t), "pineda/raster_top/vertex: triangle 0, inverse_w_shift:");
 }
 
 TEST(RasterTopErrors, DesignThatCannotBeIsRefused) {

@@ -25,7 +25,8 @@ TriangleSource::Failure TriangleSource::draw(const Next& next, Cycle run_from) {
   const spec::Triangle* triangle = pulled(next, &failure);
   for (Cycle offered = 0; triangle != nullptr; ++offered, triangle = pulled(next, &failure)) {
     if (!range_.holds(*triangle)) {
-      failure.out_of_range = range_.reason(*triangle);
+      failure.out_of_range =
+          "triangle " + std::to_string(triangle->id) + ", " + range_.reason(*triangle);
       break;
     }
     if (ready_) offered = first_ready(ready_, ExternalPort::kTriangle, offered);

@@ -5,9 +5,9 @@
 #include <functional>
 #include <string>
 
+#include "model/spec/triangle_range.h"
 #include "model/timing/ports/memory.h"
 #include "model/timing/units/stream.h"
-#include "model/timing/units/triangle_range.h"
 
 namespace pineda::timing {
 
@@ -29,7 +29,7 @@ class TriangleSource final : public sc_core::sc_module {
   /// Why the stream ended before its end: neither if it did not.
   struct Failure {
     std::exception_ptr thrown;  // by next
-    std::string out_of_range;   // which number of the triangle
+    std::string out_of_range;   // the triangle, and which number of it
   };
 
   TriangleSource(sc_core::sc_module_name name, const spec::Contract& contract)
@@ -43,7 +43,7 @@ class TriangleSource final : public sc_core::sc_module {
   void end_of_elaboration() override { require_bound(tri_o, "pineda/triangles/unbound"); }
 
   Ready ready_;
-  TriangleRange range_;
+  spec::TriangleRange range_;
 };
 
 }  // namespace pineda::timing
