@@ -45,7 +45,9 @@ int run(const RenderOptions& options) {
   const Job job = open_job(options, lacks_nothing, false, output, &progress);
   const spec::Contract& contract = job.contract;
   const scene::Scene& scene = job.scene;
-  fast::BandRenderer renderer(contract, scene.frame, options.threads);
+  using Hits = fast::Renderer::Hits;
+  fast::BandRenderer renderer(contract, scene.frame, options.threads,
+                              options.dump.empty() ? Hits::kUncounted : Hits::kCounted);
   const double seconds = options.bench > 0
                              ? draw_repeatedly(scene, options.bench, &progress, &renderer)
                              : draw_once(scene, &progress, &renderer);
@@ -86,6 +88,7 @@ void add_render(CLI::App* program, int* exit_code) {
   auto* command = program->add_subcommand("render", "The functional model alone: pictures, dumps");
   add_scene_options(command, options.get());
   allow_auto(command);
+  add_simd_option(command);
   command->add_option("-o,--out", options->out, "Folder for color.png and depth.png")
       ->type_name("DIR");
   command->add_option("--dump", options->dump, "Folder for hits.u16, depth.u32 and color.rgba")

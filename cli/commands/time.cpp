@@ -77,6 +77,7 @@ void add_time(CLI::App* program, int* exit_code) {
   add_scene_options(command, options.get());
   add_time_options(command, options.get());
   allow_auto(command);
+  add_simd_option(command);
   command->add_flag("--bits", options->bits, "Compute every bit, not only what time depends on");
   auto* bench = command->add_option("--bench", options->bench, "Median seconds of N runs in memory")
                     ->check(CLI::Range(1, 1'000'000))

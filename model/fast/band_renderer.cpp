@@ -17,12 +17,12 @@ void for_each_band(const std::vector<std::unique_ptr<Renderer>>& bands, Work wor
 }  // namespace
 
 BandRenderer::BandRenderer(const spec::Contract& contract, const spec::FrameState& frame,
-                           int threads) {
+                           int threads, Renderer::Hits hits) {
   const int rows = ((frame.height - 1) >> contract.design.tile_log2) + 1;
   const int bands = std::min(threads, rows);
   for (int i = 0; i < bands; ++i) {
     const core::TileRows band{rows * i / bands, rows * (i + 1) / bands - 1};
-    bands_.push_back(std::make_unique<Renderer>(contract, frame, band));
+    bands_.push_back(std::make_unique<Renderer>(contract, frame, band, hits));
   }
 }
 
@@ -31,9 +31,8 @@ void BandRenderer::clear() {
 }
 
 void BandRenderer::draw(const std::vector<spec::Triangle>& triangles) {
-  for_each_band(bands_, [&triangles](Renderer* band) {
-    for (const auto& triangle : triangles) band->draw(triangle);
-  });
+  for_each_band(bands_,
+                [&triangles](Renderer* band) { band->draw(triangles.data(), triangles.size()); });
 }
 
 core::FrameCounters BandRenderer::counters() const {

@@ -16,7 +16,8 @@ namespace pineda::fast {
 class BandRenderer {
  public:
   /// threads >= 1; more than there are rows of tiles are not used.
-  BandRenderer(const spec::Contract& contract, const spec::FrameState& frame, int threads);
+  BandRenderer(const spec::Contract& contract, const spec::FrameState& frame, int threads,
+               Renderer::Hits hits = Renderer::Hits::kCounted);
 
   void clear();
   void draw(const std::vector<spec::Triangle>& triangles);

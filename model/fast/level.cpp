@@ -1,5 +1,7 @@
 #include "model/fast/level.h"
 
+#include <hwy/targets.h>
+
 namespace pineda::fast {
 
 namespace detail {
@@ -24,7 +26,42 @@ std::vector<Level> levels() {
   return all;
 }
 
-void set_level(Level level) { detail::level = level; }
+const char* level_name(Level level) {
+  switch (level) {
+    case Level::kAvx512:
+      return "avx512";
+    case Level::kAvx2:
+      return "avx2";
+    case Level::kBase:
+      break;
+  }
+  return "base";
+}
+
+namespace {
+
+// The targets of Highway that a level may use. Better ones have lower bits.
+int64_t targets_of(Level level) {
+  switch (level) {
+    case Level::kAvx512:
+      break;
+    case Level::kAvx2:
+      return ~(HWY_AVX2 - 1);
+    case Level::kBase:
+#if defined(__x86_64__)
+      return ~(HWY_SSE4 - 1);
+#endif
+      break;
+  }
+  return ~int64_t{0};
+}
+
+}  // namespace
+
+void set_level(Level level) {
+  detail::level = level;
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets() & targets_of(level));
+}
 
 namespace {
 [[maybe_unused]] const bool kIsSet = (set_level(levels().back()), true);

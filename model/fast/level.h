@@ -5,8 +5,12 @@
 
 namespace pineda::fast {
 
-/// What a kernel is compiled for; the bits are the same at every level.
+/// What a kernel is compiled for; the bits are the same at every level. The base is what every
+/// processor has, and of Highway's kernels the best one below AVX2: SSE4 or NEON.
 enum class Level { kBase, kAvx2, kAvx512 };
+
+/// "base", "avx2", "avx512".
+const char* level_name(Level level);
 
 /// The levels that this machine can run, kBase first.
 std::vector<Level> levels();

@@ -4,22 +4,27 @@
 #include <optional>
 
 #include "model/core/frame.h"
+#include "model/fast/blocks.h"
 #include "model/fast/setup.h"
 #include "model/fast/tile_shader.h"
 
 namespace pineda::fast {
 
-/// Draws triangles one by one, or the part of them that lies in some rows of tiles.
+/// Draws triangles, or the part of them that lies in some rows of tiles.
 ///
-/// Bits     those of core::Renderer, and its counters. A design without a reciprocal has no planes:
-///          core draws it.
+/// Bits     those of core::Renderer, and its counters; no hits unless they are wanted. Where codes are
+///          narrow (has_blocks()) blocks are drawn; else tiles, as the timing model does. A design
+///          without a reciprocal has no planes: core draws it.
 class Renderer {
  public:
-  Renderer(const spec::Contract& contract, const spec::FrameState& frame, core::TileRows rows = {});
+  enum class Hits : uint8_t { kUncounted, kCounted };
+
+  Renderer(const spec::Contract& contract, const spec::FrameState& frame, core::TileRows rows = {},
+           Hits hits = Hits::kCounted);
 
   const spec::Contract& contract() const { return contract_; }
   const spec::FrameState& frame() const { return frame_; }
-  const core::FrameCounters& counters() const { return counters_; }
+  core::FrameCounters counters() const;
   /// The memories after the triangles so far.
   core::FrameBuffer buffer() const;
   /// Copies this renderer's rows of tiles to a buffer of the whole frame.
@@ -27,14 +32,24 @@ class Renderer {
 
   void clear();
   core::Drop draw(const spec::Triangle& triangle);
+  void draw(const spec::Triangle* triangles, size_t count);
 
  private:
+  struct Blocks {
+    BlockState state;
+    BlockBuffer buffer;
+    BlockCounts counts;
+    std::vector<spec::SetupPrim> prims;  // set up, not drawn yet
+  };
+  core::Drop set_up(const spec::Triangle& triangle, spec::SetupPrim* prim);
+  void draw_tiles();
   core::Drop draw_exactly(const spec::Triangle& triangle);
 
   spec::Contract contract_;
   spec::FrameState frame_;
   core::TileRows rows_;
-  TiledBuffer buffer_;
+  std::optional<Blocks> blocks_;
+  TiledBuffer buffer_;  // empty if there are blocks
   core::FrameCounters counters_;
   spec::SetupPrim prim_;
   TileCoverWalk tiles_;
@@ -42,6 +57,7 @@ class Renderer {
   StampCounts covered_;  // of one triangle
   TileShader shader_;
   StampCounts passed_;  // shader_.counts() before the triangle
+  bool counts_hits_;
 };
 
 }  // namespace pineda::fast

@@ -264,56 +264,19 @@ void find_stamps(const Design& d, const TileCover& box, TileSamples* samples) {
   find_in_tile(d, box, samples);
 }
 
-// Each edge is written out: for three a loop does not pay.
 void TileCoverWalk::begin(const spec::SetupPrim& prim, core::TileRows rows) {
   prim_ = &prim;
-  const int log2 = contract_.design.tile_log2;
-  x_ = start_x_ = first_x_ = prim.x0 >> log2;
-  y_ = prim.y0 >> log2;
-  last_x_ = prim.x1 >> log2;
-  last_y_ = std::min(prim.y1 >> log2, rows.last);
-  const auto begin = [log2](const spec::EdgeFunction& edge, Edge* e) PINEDA_INLINED {
-    // What E changes by from the first sample of a tile to the last one.
-    const int64_t a = edge.a * ((int64_t{1} << log2) - 1);
-    const int64_t b = edge.b * ((int64_t{1} << log2) - 1);
-    e->best = std::max<int64_t>(a, 0) + std::max<int64_t>(b, 0);
-    e->worst = a + b - e->best;
-    e->at = e->at_start = edge.e;
-    e->across = edge.a * (int64_t{1} << log2);
-  };
-  const auto& [e0, e1, e2] = prim.edge;
-  begin(e0, &edges_[0]);
-  begin(e1, &edges_[1]);
-  begin(e2, &edges_[2]);
-  falls_rightward_ = (e0.a < 0) | (e1.a < 0) << 1 | (e2.a < 0) << 2;
-  falls_downward_ = (e0.b <= 0) | (e1.b <= 0) << 1 | (e2.b <= 0) << 2;
-  turns_ = (falls_rightward_ | falls_downward_) != 7 && (falls_rightward_ & falls_downward_) != 0;
-  set_direction(false);
-  to_the_end_ = turns_;
-  if (last_y_ < rows.first) y_ = rows.first;
-  while (y_ < rows.first) {
-    const int row = y_;
-    while (y_ == row && x_ == start_x_) step(rejects());
-    if (y_ == row) step_down();
-  }
-}
-
-PINEDA_INLINE void TileCoverWalk::set_direction(bool leftward) {
-  const int falls_ahead = leftward ? ~falls_rightward_ : falls_rightward_;
-  step_x_ = leftward ? -1 : 1;
-  end_x_ = leftward ? first_x_ : last_x_;
-  ends_ = falls_ahead;
-  follows_ = ~falls_ahead & falls_downward_;
+  steps_.begin(prim, contract_.design.tile_log2, rows);
 }
 
 PINEDA_INLINE void TileCoverWalk::keep(TileCover* cover) {
   const Design& d = contract_.design;
   const int last = (1 << d.tile_log2) - 1;
-  const int left = x_ << d.tile_log2, top = y_ << d.tile_log2;
+  const int left = steps_.x() << d.tile_log2, top = steps_.y() << d.tile_log2;
   const int x0 = std::max(prim_->x0 - left, 0), x1 = std::min(prim_->x1 - left, last);
   const int y0 = std::max(prim_->y0 - top, 0), y1 = std::min(prim_->y1 - top, last);
-  cover->x = x_;
-  cover->y = y_;
+  cover->x = steps_.x();
+  cover->y = steps_.y();
   cover->x0 = x0;
   cover->y0 = y0;
   cover->x1 = x1;
@@ -324,63 +287,23 @@ PINEDA_INLINE void TileCoverWalk::keep(TileCover* cover) {
   box.columns = (x1 >> group_px_log2) - box.column0 + 1;
   box.row0 = y0 >> d.stamp_height_log2;
   box.rows = (y1 >> d.stamp_height_log2) - box.row0 + 1;
-  const auto& [e0, e1, e2] = edges_;
-  cover->accepted = ((e0.at + e0.worst) | (e1.at + e1.worst) | (e2.at + e2.worst)) >= 0;
-  // Where an edge accepts the tile, E is lowered to 0 at its worst sample: the edge still accepts.
-  kept_[0] = std::min(e0.at, -e0.worst);
-  kept_[1] = std::min(e1.at, -e1.worst);
-  kept_[2] = std::min(e2.at, -e2.worst);
-}
-
-PINEDA_INLINE void TileCoverWalk::step_down() {
-  const int log2 = contract_.design.tile_log2;
-  x_ = start_x_;
-  ++y_;
-  past_ = to_the_end_ = false;
-  if (turns_) set_direction(true);
-  for (size_t i = 0; i < 3; ++i) {
-    edges_[i].at = edges_[i].at_start += prim_->edge[i].b * (int64_t{1} << log2);
-  }
-}
-
-PINEDA_INLINE void TileCoverWalk::step(int rejects) {
-  if (past_ || x_ == end_x_) return step_down();
-  auto& [e0, e1, e2] = edges_;
-  const int64_t step = step_x_;
-  e0.at += step * e0.across;
-  e1.at += step * e1.across;
-  e2.at += step * e2.across;
-  x_ += step_x_;
-  if (!to_the_end_) {
-    if (rejects == 0) return;
-    past_ = (rejects & ends_) != 0;
-    if (x_ - step_x_ != start_x_ || (rejects & follows_) == 0) return;
-  }
-  start_x_ = x_;
-  e0.at_start = e0.at;
-  e1.at_start = e1.at;
-  e2.at_start = e2.at;
-}
-
-// The edges that reject the tile.
-PINEDA_INLINE int TileCoverWalk::rejects() const {
-  const auto& [e0, e1, e2] = edges_;
-  return (e0.at + e0.best < 0) | (e1.at + e1.best < 0) << 1 | (e2.at + e2.best < 0) << 2;
+  cover->accepted = steps_.accepted();
+  kept_ = steps_.lowered();
 }
 
 core::TileWalk::Test TileCoverWalk::next(TileCover* cover) {
-  if (y_ > last_y_) return core::TileWalk::Test::kEnd;
-  const int rejecting = rejects();
+  if (steps_.ended()) return core::TileWalk::Test::kEnd;
+  const int rejecting = steps_.rejects();
   if (rejecting == 0) keep(cover);
-  step(rejecting);
+  steps_.step(rejecting);
   return rejecting != 0 ? core::TileWalk::Test::kRejected : core::TileWalk::Test::kKept;
 }
 
 bool TileCoverWalk::next_kept(TileCover* cover, int* rejected) {
-  for (*rejected = 0; y_ <= last_y_; ++*rejected) {
-    const int rejecting = rejects();
+  for (*rejected = 0; !steps_.ended(); ++*rejected) {
+    const int rejecting = steps_.rejects();
     if (rejecting == 0) keep(cover);
-    step(rejecting);
+    steps_.step(rejecting);
     if (rejecting == 0) return true;
   }
   return false;
@@ -399,8 +322,8 @@ void TileCoverWalk::cover_stamps(TileCover* cover, StampsBySamples* by_samples) 
     return;
   }
   cover->full = false;
-  // |E'| <= (T-1)(|a|+|b|) in a kept tile, since keep() lowers E' of edges that accept it, and |a|,
-  // |b| < 2^coord. Lanes cover a whole block, which may be larger than the tile.
+  // |E'| <= (T-1)(|a|+|b|) in a kept tile, once lowered, and |a|, |b| < 2^coord. Lanes cover a whole
+  // block, which may be larger than the tile.
   const int side_log2 = std::max(d.tile_log2, ceil_log2(kBlockPx));
   if (2 + side_log2 + contract_.width.coord <= 32) {
     cover_narrow(d, *prim_, kept_, cover, by_samples);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/core/traversal.h"
+#include "model/fast/tile_steps.h"
 
 namespace pineda::fast {
 
@@ -143,9 +143,6 @@ inline int count_lanes(uint32_t mask) {
   return static_cast<int>((mask + (mask >> 8)) & 0x1f);
 }
 
-/// E' of the three edges at the first sample of a tile.
-using EdgeValues = std::array<int64_t, 3>;
-
 /// Walks the tiles of a triangle's box as core::TileWalk does, and finds the coverage of all stamps
 /// of a tile at once.
 ///
@@ -166,30 +163,12 @@ class TileCoverWalk {
   void cover_stamps(TileCover* cover, StampsBySamples* by_samples) const;
 
  private:
-  struct Edge {
-    int64_t at = 0, at_start = 0;  // E' at the first sample of the tile, of the row's start
-    int64_t best = 0, worst = 0;   // what E' changes by to the best and the worst corner
-    int64_t across = 0;            // what it changes by to the next tile
-  };
-  int rejects() const;
   void keep(TileCover* cover);
-  void step(int rejects);
-  void step_down();
-  void set_direction(bool leftward);
 
   spec::Contract contract_;
   const spec::SetupPrim* prim_ = nullptr;
-  int x_ = 0, y_ = 0;  // the tile that next() tests
-  int first_x_ = 0, last_x_ = 0, last_y_ = 0;
-  std::array<Edge, 3> edges_{};
-  // See core::TileWalk. Edges are bits of a mask.
-  int start_x_ = 0;
-  bool turns_ = false, to_the_end_ = false, past_ = false;
-  int falls_rightward_ = 0, falls_downward_ = 0;
-  int step_x_ = 1, end_x_ = 0;  // of this row
-  int ends_ = 0;                // edges that end the row where they reject a tile
-  int follows_ = 0;             // edges that let the start follow
-  EdgeValues kept_{};           // E' of the tile kept last, lowered where the edge accepts the tile
+  TileSteps steps_;
+  EdgeValues kept_{};  // TileSteps::lowered() of the tile kept last
 };
 
 }  // namespace pineda::fast

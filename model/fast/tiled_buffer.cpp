@@ -2,8 +2,19 @@
 
 #include <algorithm>
 #include <cstddef>
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
 
 namespace pineda::fast {
+
+void use_large_pages(void* memory, size_t bytes) {
+#if defined(MADV_HUGEPAGE)
+  if (bytes >= kLargePageBytes) madvise(memory, bytes & ~(kLargePageBytes - 1), MADV_HUGEPAGE);
+#else
+  (void)memory, (void)bytes;
+#endif
+}
 
 Tiled::Tiled(const spec::Design& d, const spec::FrameState& frame)
     : width(frame.width),

@@ -9,18 +9,30 @@
 namespace pineda::fast {
 
 inline constexpr size_t kLineBytes = 64;  // of a cache
+inline constexpr size_t kLargePageBytes = size_t{2} << 20;
 
-/// Begins on a cache line, so that a row of a block crosses none.
+/// Asks the system for large pages where the memory has room for one.
+void use_large_pages(void* memory, size_t bytes);
+
+/// Begins on a cache line, so that a row of a block crosses none; large memories on a large page, which
+/// the system is asked for, so that few addresses are translated.
 template <class T>
 struct CacheLineAllocator {
   using value_type = T;  // NOLINT(readability-identifier-naming): the standard's name
-  static constexpr std::align_val_t kLine{kLineBytes};
+  static constexpr std::align_val_t alignment(size_t bytes) {
+    return std::align_val_t{bytes < kLargePageBytes ? kLineBytes : kLargePageBytes};
+  }
 
   CacheLineAllocator() = default;
   template <class Other>
   explicit CacheLineAllocator(const CacheLineAllocator<Other>&) {}
-  T* allocate(size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), kLine)); }
-  void deallocate(T* p, size_t) { ::operator delete(p, kLine); }
+  T* allocate(size_t n) {
+    const size_t bytes = n * sizeof(T);
+    void* const p = ::operator new(bytes, alignment(bytes));
+    use_large_pages(p, bytes);
+    return static_cast<T*>(p);
+  }
+  void deallocate(T* p, size_t n) { ::operator delete(p, alignment(n * sizeof(T))); }
   bool operator==(const CacheLineAllocator&) const { return true; }
   bool operator!=(const CacheLineAllocator&) const { return false; }
 };

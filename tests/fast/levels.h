@@ -11,7 +11,7 @@ namespace pineda::test {
 template <class Work>
 void for_each_level(Work&& work) {
   for (const fast::Level level : fast::levels()) {
-    SCOPED_TRACE(testing::Message() << "level " << static_cast<int>(level));
+    SCOPED_TRACE(testing::Message() << "level " << fast::level_name(level));
     fast::set_level(level);
     work();
   }

@@ -144,6 +144,89 @@ TEST(WholeTiles, EqualStampByStampInRandomDesigns) {
   });
 }
 
+// Triangles over whole blocks, whose depths are equal or a code apart: what is hidden by what.
+TEST(WholeTiles, EqualStampByStampWhereDepthsTie) {
+  const spec::Contract c = spec::contract(spec::kHighTile);
+  spec::FrameState frame;
+  frame.width = 40;
+  frame.height = 24;
+  for_each_level([&] {
+    Random random(11);
+    for (const auto func : {spec::DepthFunc::kLess, spec::DepthFunc::kLequal}) {
+      frame.depth = func;
+      core::Renderer stamps(c, frame);
+      fast::Renderer tiles(c, frame);
+      for (int i = 0; i < 400; ++i) {
+        spec::Triangle t;
+        t.v[0].x = t.v[0].y = t.v[1].y = t.v[2].x = -4000;
+        t.v[1].x = t.v[2].y = static_cast<int32_t>(random.between(4000, 40000));
+        const int64_t z = (int64_t{4000 - i / 4} << 8) + random.between(-300, 300);
+        const int64_t slope = random.between(-600, 600);
+        t.v[0].z = z;
+        t.v[1].z = z + slope;
+        t.v[2].z = z - slope;
+        for (auto& v : t.v) v.attr[0] = i % 256;
+        stamps.draw(t);
+        tiles.draw(t);
+        ASSERT_EQ(stamps.counters().passed, tiles.counters().passed) << i;
+      }
+      EXPECT_EQ(stamps.buffer().depth, tiles.buffer().depth);
+      EXPECT_EQ(stamps.buffer().color, tiles.buffer().color);
+      EXPECT_LT(stamps.counters().passed, stamps.counters().fragments / 4 * 3);
+    }
+  });
+}
+
+// Lists are set up in batches: any length, with dropped triangles between others.
+TEST(WholeTiles, ListsEqualTrianglesOneByOne) {
+  const spec::Contract c = spec::contract(spec::kHighTile);
+  Random random(3);
+  const spec::FrameState frame = random_frame(&random);
+  for (size_t count = 0; count < 60; ++count) {
+    std::vector<spec::Triangle> triangles;
+    for (size_t i = 0; i < count; ++i) triangles.push_back(random_triangle(c, frame, &random));
+    if (count > 3) triangles[count / 2].v[1] = triangles[count / 2].v[0];
+    fast::Renderer list(c, frame), each(c, frame);
+    list.draw(triangles.data(), count);
+    for (const auto& t : triangles) each.draw(t);
+    EXPECT_EQ(list.buffer().depth, each.buffer().depth);
+    EXPECT_EQ(list.buffer().color, each.buffer().color);
+    EXPECT_EQ(list.buffer().hits, each.buffer().hits);
+    EXPECT_EQ(list.counters().triangles, count);
+    EXPECT_EQ(list.counters().passed, each.counters().passed);
+  }
+}
+
+TEST(WholeTiles, UncountedHitsAreNone) {
+  const spec::Contract c = spec::contract(spec::kHighTile);
+  spec::FrameState frame;
+  frame.width = frame.height = 20;
+  fast::Renderer uncounted(c, frame, {}, fast::Renderer::Hits::kUncounted), counted(c, frame);
+  Random random(4);
+  for (int i = 0; i < 50; ++i) {
+    const spec::Triangle t = random_triangle(c, frame, &random);
+    uncounted.draw(t);
+    counted.draw(t);
+  }
+  EXPECT_EQ(uncounted.buffer().hits, std::vector<uint16_t>(400));
+  EXPECT_NE(counted.buffer().hits, std::vector<uint16_t>(400));
+  EXPECT_EQ(uncounted.buffer().depth, counted.buffer().depth);
+  EXPECT_EQ(uncounted.buffer().color, counted.buffer().color);
+}
+
+// Which designs have codes as narrow as blocks need them: a list, so that none is lost in silence.
+TEST(WholeTiles, DesignsWithBlocks) {
+  std::string with;
+  for (const spec::Design& d : spec::designs()) {
+    if (has_blocks(spec::contract(d))) with += std::string(d.name) + " ";
+  }
+  EXPECT_EQ(with, "high_tile flat dense wide tiny ");
+  spec::FrameState frame;
+  EXPECT_TRUE(has_blocks(spec::contract(spec::kHighTile), frame));
+  frame.bias_constant = 1;
+  EXPECT_FALSE(has_blocks(spec::contract(spec::kHighTile), frame));
+}
+
 // Tiles whose planes keep a fraction bit less than those of the stamps.
 TEST(WholeTiles, MutantThatCutsAFractionBitIsSeen) {
   spec::Design cut = spec::kHighTile;

@@ -1,0 +1,54 @@
+// The memories of a frame, as narrow as its codes, in the order in which blocks are drawn.
+#pragma once
+
+#include "model/fast/tiled_buffer.h"
+
+namespace pineda::fast {
+
+inline constexpr int kLineWidthPx = 4;
+inline constexpr int kLineHeightPx = 2;
+inline constexpr int kLineSamples = kLineWidthPx * kLineHeightPx;
+inline constexpr size_t kBlockLines = kBlockSamples / kLineSamples;
+
+/// 4 x 2 samples, row by row, in a line of the cache: the small triangles of a mesh touch few lines.
+struct alignas(kLineBytes) SampleLine {
+  std::array<uint32_t, kLineSamples> depth;  // codes
+  std::array<uint32_t, kLineSamples> color;  // channel 0 in the lowest byte
+};
+static_assert(sizeof(SampleLine) == kLineBytes);
+
+/// Blocks of 8 x 8 samples, row by row; in a block, lines row by row. Blocks at the frame's border are
+/// stored whole.
+struct BlockBuffer {
+  template <class T>
+  using Samples = std::vector<T, CacheLineAllocator<T>>;
+
+  int width = 0;
+  int height = 0;
+  int channels = 0;   // 0 to 4
+  size_t across = 0;  // blocks
+  uint32_t clear_depth = 0;
+  Samples<SampleLine> lines;
+  Samples<uint16_t> hits;  // in the same order; empty unless hits are wanted
+  /// No depth stored in a block is greater, as long as writes only lower depths.
+  std::vector<uint32_t> greatest;
+
+  BlockBuffer() = default;
+  BlockBuffer(const spec::Contract& contract, const spec::FrameState& frame, bool with_hits);
+  void clear();
+
+  /// The block with the sample of pixel x, y.
+  size_t block(int x, int y) const {
+    return static_cast<size_t>(y / kBlockPx) * across + static_cast<size_t>(x / kBlockPx);
+  }
+  /// The line with that sample.
+  size_t line(int x, int y) const {
+    constexpr int kAcross = kBlockPx / kLineWidthPx;
+    return block(x, y) * kBlockLines + static_cast<size_t>(y % kBlockPx / kLineHeightPx * kAcross +
+                                                           x % kBlockPx / kLineWidthPx);
+  }
+  /// Copies rows of samples, first to last, as far as the frame goes, to a buffer of this frame.
+  void copy_rows(int first, int last, core::FrameBuffer* to) const;
+};
+
+}  // namespace pineda::fast

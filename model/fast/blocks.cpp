@@ -1,0 +1,579 @@
+// Compiled once for each vector unit that Highway knows on this processor: see draw_blocks() at the end.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "model/fast/blocks.cpp"
+// The order of these is Highway's.
+#include "model/fast/blocks.h"
+
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "model/fast/tile_steps.h"
+#include "model/spec/bounds.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pineda::fast {
+namespace HWY_NAMESPACE {
+namespace {
+
+#if HWY_TARGET == HWY_SCALAR
+// No vectors: has_blocks() says so.
+void draw_all(const BlockState&, const spec::SetupPrim*, size_t, BlockBuffer*, BlockCounts*) {}
+#else
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Samples side by side: two lines of a block, which lie side by side too, one line or a row of it.
+constexpr size_t kPair = size_t{2} * kLineSamples;
+constexpr hn::CappedTag<int32_t, kPair> kLanes;
+constexpr hn::CappedTag<uint32_t, kPair> kCodes;
+constexpr hn::Repartition<uint16_t, decltype(kCodes)> kHalves;
+using Lanes = hn::Vec<decltype(kLanes)>;
+using Codes = hn::Vec<decltype(kCodes)>;
+using Halves = hn::Vec<decltype(kHalves)>;
+using Mask = hn::Mask<decltype(kCodes)>;
+constexpr int kN = static_cast<int>(hn::MaxLanes(kLanes));
+static_assert(kN == 4 || kN == 8 || kN == 16);
+constexpr int kParts = static_cast<int>(kPair) / kN;  // vectors of two lines side by side
+constexpr uint64_t kAllBits = (uint64_t{1} << kN) - 1;
+
+// Where a vector's samples lie, px from its first one.
+HWY_INLINE Codes columns() {
+  const Codes i = hn::Iota(kCodes, 0);
+  return hn::Add(hn::And(i, hn::Set(kCodes, 3)), hn::ShiftLeft<2>(hn::ShiftRight<3>(i)));
+}
+HWY_INLINE Codes rows() {
+  return hn::And(hn::ShiftRight<2>(hn::Iota(kCodes, 0)), hn::Set(kCodes, 1));
+}
+// Where the parts of two lines begin.
+constexpr int part_x(int part) { return part * kN / kLineSamples * kLineWidthPx; }
+constexpr int part_y(int part) { return part * kN % kLineSamples / kLineWidthPx; }
+
+HWY_INLINE uint64_t bits_of(Mask mask) {
+  uint16_t bits = 0;
+  hn::StoreMaskBits(kCodes, mask, reinterpret_cast<uint8_t*>(&bits));
+  return bits & kAllBits;
+}
+HWY_INLINE Mask mask_of(uint64_t bits) {
+  const auto word = static_cast<uint16_t>(bits);
+  return hn::LoadMaskBits(kCodes, reinterpret_cast<const uint8_t*>(&word));
+}
+
+// Depths and colours of a vector of samples; `at` is its first one in its line.
+HWY_INLINE Codes load_depths(const SampleLine* line, int at) {
+  if constexpr (kN == 16) {
+    const hn::Half<decltype(kCodes)> half;
+    return hn::Combine(kCodes, hn::Load(half, line[1].depth.data()),
+                       hn::Load(half, line[0].depth.data()));
+  } else {
+    return hn::Load(kCodes, line->depth.data() + at);
+  }
+}
+HWY_INLINE void store_depths(Codes v, SampleLine* line, int at) {
+  if constexpr (kN == 16) {
+    const hn::Half<decltype(kCodes)> half;
+    hn::Store(hn::LowerHalf(half, v), half, line[0].depth.data());
+    hn::Store(hn::UpperHalf(half, v), half, line[1].depth.data());
+  } else {
+    hn::Store(v, kCodes, line->depth.data() + at);
+  }
+}
+HWY_INLINE void store_colors(Codes v, uint64_t lanes, SampleLine* line, int at) {
+  if constexpr (kN == 16) {
+    const hn::Half<decltype(kCodes)> half;
+    const auto low = static_cast<uint8_t>(lanes), high = static_cast<uint8_t>(lanes >> 8);
+    hn::BlendedStore(hn::LowerHalf(half, v), hn::LoadMaskBits(half, &low), half,
+                     line[0].color.data());
+    hn::BlendedStore(hn::UpperHalf(half, v), hn::LoadMaskBits(half, &high), half,
+                     line[1].color.data());
+  } else {
+    hn::BlendedStore(v, mask_of(lanes), kCodes, line->color.data() + at);
+  }
+}
+
+// A function a*x + b*y of the samples of a vector, modulo its lanes.
+template <class D, class V = hn::Vec<D>, class T = hn::TFromD<D> >
+struct Slope {
+  T a, b;
+  V lanes;
+  V down;  // what it changes by to the lines below
+
+  HWY_INLINE Slope(T of_x, T of_y)
+      : a(of_x),
+        b(of_y),
+        lanes(hn::Add(hn::Mul(hn::BitCast(D(), columns()), hn::Set(D(), a)),
+                      hn::Mul(hn::BitCast(D(), rows()), hn::Set(D(), b)))),
+        down(hn::Set(D(), static_cast<T>(b * kLineHeightPx))) {}
+  // In a part, with the value at the first sample of part 0.
+  HWY_INLINE V in_part(V first, int part) const {
+    if (part == 0) return first;
+    return hn::Add(first, hn::Set(D(), static_cast<T>(a * static_cast<T>(part_x(part)) +
+                                                      b * static_cast<T>(part_y(part)))));
+  }
+};
+using EdgeSlope = Slope<decltype(kLanes)>;
+using CodeSlope = Slope<decltype(kCodes)>;
+
+// The same for two channels of each sample, 16 bits each.
+struct PairSlope {
+  Halves a, b;
+  Halves lanes, down;
+
+  static HWY_INLINE Halves both(Codes v) {
+    return hn::BitCast(kHalves, hn::Or(v, hn::ShiftLeft<16>(v)));
+  }
+  static HWY_INLINE Halves repeat(uint32_t pair) {
+    return hn::BitCast(kHalves, hn::Set(kCodes, pair));
+  }
+  HWY_INLINE PairSlope(uint32_t of_x, uint32_t of_y)
+      : a(repeat(of_x)),
+        b(repeat(of_y)),
+        lanes(hn::Add(hn::Mul(both(columns()), a), hn::Mul(both(rows()), b))),
+        down(hn::Add(b, b)) {}
+  static HWY_INLINE Halves times(Halves v, int n) {
+    return hn::Mul(v, hn::Set(kHalves, static_cast<uint16_t>(n)));
+  }
+  HWY_INLINE Halves in_part(Halves first, int part) const {
+    if (part == 0) return first;
+    return hn::Add(first, hn::Add(times(a, part_x(part)), times(b, part_y(part))));
+  }
+};
+
+// Which samples pass: less and less-or-equal have a way of their own.
+enum class When { kAlways, kLess, kLequal, kAny };
+
+// ---- A triangle's planes
+
+// Sign-extends the low bits, without the lowest ones.
+HWY_INLINE int64_t kept(uint64_t value, int plane_bits, int dropped_bits) {
+  const uint64_t half = (uint64_t{1} << dropped_bits) >> 1;
+  const int above = 64 - plane_bits;
+  return static_cast<int64_t>((value + half) << above) >> (above + dropped_bits);
+}
+
+struct DepthPlane {
+  uint64_t ref, dx, dy;      // of the triangle
+  int64_t tile_dx, tile_dy;  // in a tile
+  int64_t block_fall = 0;    // from a block's first sample to its least one, at most 0
+  bool is_flat = false;      // values of a tile do not wrap, wherever in it one is in range
+};
+
+constexpr hn::FixedTag<uint32_t, 4> kChannels;
+using Channels = hn::Vec<decltype(kChannels)>;
+
+struct ColorPlanes {
+  Channels ref, dx, dy;
+};
+
+// Channels 0 and 2, 1 and 3 of four numbers of 16 bits.
+struct Pairs {
+  uint32_t low, high;
+};
+HWY_INLINE Pairs pairs_of(Channels v) {
+  const Channels back = hn::ShiftRightLanes<2>(kChannels, v);
+  const Channels pairs = hn::Or(hn::And(v, hn::Set(kChannels, 0xffff)), hn::ShiftLeft<16>(back));
+  return {hn::GetLane(pairs), hn::ExtractLane(pairs, 1)};
+}
+
+HWY_INLINE DepthPlane depth_plane(const BlockState& s, const spec::Plane& plane) {
+  DepthPlane z;
+  z.ref = static_cast<uint64_t>(plane.ref);
+  z.dx = static_cast<uint64_t>(plane.dx);
+  z.dy = static_cast<uint64_t>(plane.dy);
+  z.tile_dx = kept(z.dx, s.depth_plane_bits, s.dropped_bits);
+  z.tile_dy = kept(z.dy, s.depth_plane_bits, s.dropped_bits);
+  z.block_fall =
+      (kBlockPx - 1) * (std::min<int64_t>(z.tile_dx, 0) + std::min<int64_t>(z.tile_dy, 0));
+  // A value in range and one whose distance is below a quarter of the plane's range: both lie within
+  // the plane's range, which is four times that of codes and has half of a code's range below 0.
+  const int64_t quarter = int64_t{1} << (s.depth_plane_bits - s.dropped_bits - 2);
+  z.is_flat = (int64_t{1} << s.tile_log2) * (std::abs(z.tile_dx) + std::abs(z.tile_dy)) < quarter;
+  return z;
+}
+
+HWY_INLINE ColorPlanes color_planes(const BlockState& s, const spec::PlaneSet& planes) {
+  alignas(16) std::array<uint32_t, 4> ref{}, dx{}, dy{};
+  for (size_t i = 0; i < static_cast<size_t>(s.channels); ++i) {
+    const auto attributes = static_cast<size_t>(s.attributes);
+    if (i < attributes) {
+      ref[i] = static_cast<uint32_t>(planes.attr[i].ref);
+      dx[i] = static_cast<uint32_t>(planes.attr[i].dx);
+      dy[i] = static_cast<uint32_t>(planes.attr[i].dy);
+    } else {
+      const auto flat = static_cast<uint32_t>(planes.flat[i - attributes]);
+      ref[i] = flat << (s.fraction_bits + s.dropped_bits);
+    }
+  }
+  return {hn::Load(kChannels, ref.data()), hn::Load(kChannels, dx.data()),
+          hn::Load(kChannels, dy.data())};
+}
+
+// As in a tile: without the fraction bits that it drops; the code is the upper byte of 16 bits.
+HWY_INLINE Channels in_tile(const BlockState& s, Channels v) {
+  const Channels half = hn::Set(kChannels, (1U << s.dropped_bits) >> 1);
+  return hn::ShiftLeftSame(hn::ShiftRightSame(hn::Add(v, half), s.dropped_bits),
+                           8 - s.fraction_bits);
+}
+
+// ---- Blocks
+
+// What a triangle is drawn with, all of its blocks.
+struct Triangle {
+  std::array<EdgeSlope, 3> edge;
+  CodeSlope z;
+  PairSlope low, high;
+  DepthPlane depth;
+  ColorPlanes color;
+};
+
+// A block of a tile: E' and values at the block's first sample.
+struct Block {
+  std::array<int32_t, 3> e;
+  int64_t z;
+  Halves low, high;  // colours
+  uint64_t box;      // the samples in the triangle's box
+  bool is_inside;    // all of them are covered
+};
+
+// Samples of a block are bits of a word, in the order of its lines.
+struct Borders {
+  std::array<uint64_t, kBlockPx> from_x{}, to_x{}, from_y{}, to_y{};
+
+  constexpr Borders() {
+    for (int y = 0; y < kBlockPx; ++y) {
+      for (int x = 0; x < kBlockPx; ++x) {
+        const int line = y / kLineHeightPx * (kBlockPx / kLineWidthPx) + x / kLineWidthPx;
+        const int bit = line * kLineSamples + y % kLineHeightPx * kLineWidthPx + x % kLineWidthPx;
+        for (int i = 0; i < kBlockPx; ++i) {
+          const auto at = static_cast<size_t>(i);
+          const uint64_t one = uint64_t{1} << bit;
+          from_x[at] |= x >= i ? one : 0;
+          to_x[at] |= x <= i ? one : 0;
+          from_y[at] |= y >= i ? one : 0;
+          to_y[at] |= y <= i ? one : 0;
+        }
+      }
+    }
+  }
+};
+constexpr Borders kBorders;
+
+HWY_INLINE uint64_t box_of(int x0, int y0, int x1, int y1) {
+  return kBorders.from_x[static_cast<size_t>(x0)] & kBorders.from_y[static_cast<size_t>(y0)] &
+         kBorders.to_x[static_cast<size_t>(x1)] & kBorders.to_y[static_cast<size_t>(y1)];
+}
+
+struct Outcome {
+  uint64_t covered = 0, passed = 0;
+};
+
+template <When Test>
+HWY_INLINE Mask passes(const core::PassesWhen& when, Codes code, Codes stored) {
+  if constexpr (Test == When::kLess) return hn::Lt(code, stored);
+  if constexpr (Test == When::kLequal) return hn::Not(hn::Gt(code, stored));
+  const auto all = [](bool value) HWY_ATTR { return mask_of(value ? kAllBits : 0); };
+  return hn::Or(hn::And(hn::Lt(code, stored), all(when.less)),
+                hn::Or(hn::And(hn::Eq(code, stored), all(when.equal)),
+                       hn::And(hn::Gt(code, stored), all(when.greater))));
+}
+
+HWY_INLINE void count_hits(uint64_t bits, uint16_t* hits) {
+  const hn::Rebind<uint16_t, decltype(kCodes)> d;
+  const auto word = static_cast<uint16_t>(bits);
+  const auto mask = hn::LoadMaskBits(d, reinterpret_cast<const uint8_t*>(&word));
+  hn::StoreU(hn::SaturatedAdd(hn::LoadU(d, hits), hn::IfThenElseZero(mask, hn::Set(d, 1))), d,
+             hits);
+}
+
+// A block's values at two lines side by side, then at those below.
+struct Cursor {
+  Lanes e0, e1, e2;
+  Codes z;  // the code is at the top of a lane, half a code is added
+  Halves low, high;
+
+  // `above`: rows of the block that are left out.
+  HWY_INLINE Cursor(const BlockState& s, const Triangle& t, const Block& block, int above)
+      : e0(edge_from(t, block, 0, above)),
+        e1(edge_from(t, block, 1, above)),
+        e2(edge_from(t, block, 2, above)),
+        low(hn::Add(block.low, t.low.lanes)),
+        high(hn::Add(block.high, t.high.lanes)) {
+    const int64_t half = (int64_t{1} << s.fraction_bits) >> 1;
+    const uint32_t first = static_cast<uint32_t>(block.z + half)
+                           << (32 - s.depth_bits - s.fraction_bits);
+    z = hn::Add(t.z.lanes, hn::Set(kCodes, first + t.z.b * static_cast<uint32_t>(above)));
+    if (above == 0) return;
+    low = hn::Add(low, PairSlope::times(t.low.b, above));
+    high = hn::Add(high, PairSlope::times(t.high.b, above));
+  }
+  static HWY_INLINE Lanes edge_from(const Triangle& t, const Block& block, size_t i, int above) {
+    return hn::Add(t.edge[i].lanes, hn::Set(kLanes, block.e[i] + t.edge[i].b * above));
+  }
+  HWY_INLINE void step_down(const Triangle& t) {
+    e0 = hn::Add(e0, t.edge[0].down);
+    e1 = hn::Add(e1, t.edge[1].down);
+    e2 = hn::Add(e2, t.edge[2].down);
+    z = hn::Add(z, t.z.down);
+    low = hn::Add(low, t.low.down);
+    high = hn::Add(high, t.high.down);
+  }
+  HWY_INLINE uint64_t outside(const Triangle& t, int part) const {
+    const Lanes any = hn::Or(t.edge[0].in_part(e0, part),
+                             hn::Or(t.edge[1].in_part(e1, part), t.edge[2].in_part(e2, part)));
+    return bits_of(hn::RebindMask(kCodes, hn::Lt(any, hn::Zero(kLanes))));
+  }
+  // Four channels, one a byte.
+  HWY_INLINE Codes colors(const Triangle& t, int part) const {
+    const Halves upper = hn::Set(kHalves, static_cast<uint16_t>(0xff00));
+    return hn::BitCast(kCodes, hn::Or(hn::ShiftRight<8>(t.low.in_part(low, part)),
+                                      hn::And(t.high.in_part(high, part), upper)));
+  }
+};
+
+// Draws the covered samples of a block; Hidden: none of them passes.
+template <When Test, bool Hidden>
+HWY_INLINE Outcome draw_block(const BlockState& s, const Triangle& t, const Block& block,
+                              size_t number, BlockBuffer* buffer) {
+  Outcome outcome;
+  constexpr int kPairBits = static_cast<int>(kPair);
+  const int first = __builtin_ctzll(block.box) / kPairBits;
+  const int last = (63 - __builtin_clzll(block.box)) / kPairBits;
+  Cursor cursor(s, t, block, first * kLineHeightPx);
+  SampleLine* const lines = buffer->lines.data() + number * kBlockLines;
+  uint16_t* const hits =
+      buffer->hits.empty() ? nullptr : buffer->hits.data() + number * kBlockSamples;
+  Codes greatest = hn::Zero(kCodes);
+  for (int pair = first; pair <= last; ++pair, cursor.step_down(t)) {
+    for (int part = 0; part < kParts; ++part) {
+      const int at = pair * kPairBits + part * kN;
+      uint64_t covered = block.box >> at & kAllBits;
+      if (!block.is_inside) covered &= ~cursor.outside(t, part);
+      outcome.covered |= covered << at;
+      if (hits != nullptr) count_hits(covered, hits + at);
+      if (Hidden || covered == 0) continue;
+      SampleLine* const line = lines + at / kLineSamples;
+      uint64_t passed = covered;
+      if constexpr (Test != When::kAlways) {
+        const Codes code = hn::ShiftRightSame(t.z.in_part(cursor.z, part), 32 - s.depth_bits);
+        const Codes stored = load_depths(line, at % kLineSamples);
+        const Mask pass = hn::And(mask_of(covered), passes<Test>(s.when, code, stored));
+        passed = bits_of(pass);
+        const Codes merged = hn::IfThenElse(pass, code, stored);
+        if (s.writes_depth) store_depths(merged, line, at % kLineSamples);
+        greatest = hn::Max(greatest, merged);
+      }
+      outcome.passed |= passed << at;
+      if (s.channels > 0) store_colors(cursor.colors(t, part), passed, line, at % kLineSamples);
+    }
+  }
+  // Only a block that is seen whole tells its greatest depth.
+  if constexpr (Test == When::kLess || Test == When::kLequal) {
+    if (!Hidden && s.writes_depth && outcome.covered == ~uint64_t{0}) {
+      buffer->greatest[number] = hn::GetLane(hn::MaxOfLanes(kCodes, greatest));
+    }
+  }
+  return outcome;
+}
+
+// Is what a triangle has in a block behind all that is stored there?
+template <When Test>
+HWY_INLINE bool is_hidden(const BlockState& s, const DepthPlane& z, int64_t at_block,
+                          uint32_t greatest) {
+  if constexpr (Test != When::kLess && Test != When::kLequal) return false;
+  const int64_t half = (int64_t{1} << s.fraction_bits) >> 1;
+  const int64_t least = (at_block + z.block_fall + half) >> s.fraction_bits;
+  return z.is_flat && (Test == When::kLess ? least >= greatest : least > greatest);
+}
+
+HWY_INLINE uint64_t ones(uint64_t bits) {
+  return static_cast<uint64_t>(__builtin_popcountll(bits));
+}
+
+// How many stamps of a block have one of these samples.
+HWY_INLINE uint64_t stamps_of(const BlockState& s, uint64_t block) {
+  constexpr uint64_t kColumns[] = {~uint64_t{0}, 0x5555555555555555, 0x1111111111111111};
+  constexpr uint64_t kStampRows[] = {~uint64_t{0}, 0x0f0f0f0f0f0f0f0f, 0x00000f0f00000f0f};
+  if (s.stamp_width_log2 >= 1) block |= block >> 1;
+  if (s.stamp_width_log2 >= 2) block |= block >> 2;
+  if (s.stamp_height_log2 >= 1) block |= block >> kLineWidthPx;
+  if (s.stamp_height_log2 >= 2) block |= block >> (2 * kLineSamples);
+  return ones(block & kColumns[s.stamp_width_log2] & kStampRows[s.stamp_height_log2]);
+}
+
+HWY_INLINE void count(const BlockState& s, const Outcome& outcome, BlockCounts* counts) {
+  counts->fragments += ones(outcome.covered);
+  const uint64_t stamps = stamps_of(s, outcome.covered);
+  counts->stamps += stamps;
+  if (outcome.passed == outcome.covered) {
+    counts->passed += ones(outcome.covered);
+    counts->interpolated += stamps;
+  } else if (outcome.passed != 0) {
+    counts->passed += ones(outcome.passed);
+    counts->interpolated += stamps_of(s, outcome.passed);
+  }
+}
+
+// One block of the tile at left, top: i, j px from its corner. `color`: at the tile's first sample.
+template <When Test>
+HWY_INLINE void draw_block_of(const BlockState& s, const spec::SetupPrim& prim, const Triangle& t,
+                              const TileSteps& tile, int i, int j, uint64_t box, int64_t z_of_tile,
+                              Pairs color, size_t number, BlockBuffer* buffer,
+                              BlockCounts* counts) {
+  Block block;
+  block.z = z_of_tile + t.depth.tile_dx * i + t.depth.tile_dy * j;
+  block.box = box;
+  block.is_inside = tile.accepted();
+  const bool hidden = is_hidden<Test>(s, t.depth, block.z, buffer->greatest[number]);
+  if (hidden && block.is_inside && buffer->hits.empty()) {
+    counts->fragments += ones(box);
+    counts->stamps += stamps_of(s, box);
+    return;
+  }
+  const EdgeValues e = tile.lowered();
+  for (size_t k = 0; k < 3; ++k) {
+    block.e[k] = static_cast<int32_t>(e[k] + prim.edge[k].a * i + prim.edge[k].b * j);
+  }
+  if (hidden) return count(s, draw_block<Test, true>(s, t, block, number, buffer), counts);
+  block.low = PairSlope::repeat(color.low);
+  block.high = PairSlope::repeat(color.high);
+  if (s.tile_log2 > 3) {
+    const auto moved = [&](Halves v, const PairSlope& slope) HWY_ATTR {
+      return hn::Add(v, hn::Add(PairSlope::times(slope.a, i), PairSlope::times(slope.b, j)));
+    };
+    block.low = moved(block.low, t.low);
+    block.high = moved(block.high, t.high);
+  }
+  count(s, draw_block<Test, false>(s, t, block, number, buffer), counts);
+}
+
+template <When Test>
+HWY_INLINE void draw_tile(const BlockState& s, const spec::SetupPrim& prim, const Triangle& t,
+                          const TileSteps& tile, BlockBuffer* buffer, BlockCounts* counts) {
+  const int side = 1 << s.tile_log2;
+  const int left = tile.x() << s.tile_log2, top = tile.y() << s.tile_log2;
+  // The box, from the tile's corner.
+  const int x0 = std::max(prim.x0 - left, 0), x1 = std::min(prim.x1 - left, side - 1);
+  const int y0 = std::max(prim.y0 - top, 0), y1 = std::min(prim.y1 - top, side - 1);
+  counts->tiles_accepted += tile.accepted() ? 1 : 0;
+  const auto across = static_cast<uint64_t>(left - (prim.x0 >> s.tile_log2 << s.tile_log2));
+  const auto down = static_cast<uint64_t>(top - (prim.y0 >> s.tile_log2 << s.tile_log2));
+  const int64_t z = Test == When::kAlways
+                        ? 0
+                        : kept(t.depth.ref + t.depth.dx * across + t.depth.dy * down,
+                               s.depth_plane_bits, s.dropped_bits);
+  const Channels at_tile = hn::Add(
+      t.color.ref, hn::Add(hn::Mul(t.color.dx, hn::Set(kChannels, static_cast<uint32_t>(across))),
+                           hn::Mul(t.color.dy, hn::Set(kChannels, static_cast<uint32_t>(down)))));
+  // Half a code is added, since the code is rounded.
+  const Pairs color = pairs_of(hn::Add(in_tile(s, at_tile), hn::Set(kChannels, 0x80)));
+  if (s.tile_log2 == 3) {
+    return draw_block_of<Test>(s, prim, t, tile, 0, 0, box_of(x0, y0, x1, y1), z, color,
+                               buffer->block(left, top), buffer, counts);
+  }
+  for (int j = y0 & -kBlockPx; j <= y1; j += kBlockPx) {
+    for (int i = x0 & -kBlockPx; i <= x1; i += kBlockPx) {
+      const uint64_t box = box_of(std::max(x0 - i, 0), std::max(y0 - j, 0),
+                                  std::min(x1 - i, kBlockPx - 1), std::min(y1 - j, kBlockPx - 1));
+      draw_block_of<Test>(s, prim, t, tile, i, j, box, z, color, buffer->block(left + i, top + j),
+                          buffer, counts);
+    }
+  }
+}
+
+template <When Test>
+HWY_INLINE void draw(const BlockState& s, const spec::SetupPrim* prims, size_t count,
+                     BlockBuffer* buffer, BlockCounts* counts) {
+  const auto edge = [](const spec::EdgeFunction& e) HWY_ATTR {
+    return EdgeSlope(static_cast<int32_t>(e.a), static_cast<int32_t>(e.b));
+  };
+  const int raise = 32 - s.depth_bits - s.fraction_bits;
+  for (size_t i = 0; i < count; ++i) {
+    const spec::SetupPrim& prim = prims[i];
+    DepthPlane depth{};
+    if constexpr (Test != When::kAlways) depth = depth_plane(s, prim.planes.z);
+    const ColorPlanes color = color_planes(s, prim.planes);
+    const Pairs dx = pairs_of(in_tile(s, color.dx)), dy = pairs_of(in_tile(s, color.dy));
+    const Triangle t{{edge(prim.edge[0]), edge(prim.edge[1]), edge(prim.edge[2])},
+                     CodeSlope(static_cast<uint32_t>(depth.tile_dx) << raise,
+                               static_cast<uint32_t>(depth.tile_dy) << raise),
+                     PairSlope(dx.low, dy.low),
+                     PairSlope(dx.high, dy.high),
+                     depth,
+                     color};
+    TileSteps tile;
+    tile.begin(prim, s.tile_log2, s.rows);
+    while (!tile.ended()) {
+      const int rejects = tile.rejects();
+      ++counts->tiles_tested;
+      if (rejects != 0) {
+        ++counts->tiles_rejected;
+      } else {
+        draw_tile<Test>(s, prim, t, tile, buffer, counts);
+      }
+      tile.step(rejects);
+    }
+  }
+}
+
+void draw_all(const BlockState& s, const spec::SetupPrim* prims, size_t count, BlockBuffer* buffer,
+              BlockCounts* counts) {
+  if (!s.tests_depth) return draw<When::kAlways>(s, prims, count, buffer, counts);
+  if (s.when.less && !s.when.greater) {
+    return s.when.equal ? draw<When::kLequal>(s, prims, count, buffer, counts)
+                        : draw<When::kLess>(s, prims, count, buffer, counts);
+  }
+  draw<When::kAny>(s, prims, count, buffer, counts);
+}
+
+#endif
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace pineda::fast
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pineda::fast {
+
+bool has_blocks(const spec::Contract& c) {
+  if ((hwy::SupportedTargets() & ~int64_t{HWY_SCALAR}) == 0) return false;
+  const spec::Design& d = c.design;
+  const spec::ErrorBounds error = spec::error_bounds_before_rounding(d);
+  const bool depth = !d.depth_test || (d.depth_bits + d.tile_fraction_bits <= 32 &&
+                                       d.tile_fraction_bits > 0 && error.depth_ulp < .5);
+  const bool color = spec::channels(d) <= 4 && d.attribute_bits == 8 && d.tile_fraction_bits <= 8 &&
+                     d.tile_fraction_bits > 0 && c.width.attr_plane <= 32 &&
+                     error.attribute_lsb < .5;
+  // |E'| <= 2(T - 1)(|a| + |b|) in a block of a tile, and |a|, |b| < 2^coord.
+  const bool edges = d.tile_log2 >= 3 && 2 + d.tile_log2 + c.width.coord <= 32;
+  return d.reciprocal_scheme != spec::ReciprocalScheme::kNone && !d.perspective && depth && color &&
+         edges;
+}
+
+bool has_blocks(const spec::Contract& c, const spec::FrameState& frame) {
+  return has_blocks(c) && !frame.has_bias();
+}
+
+BlockState::BlockState(const spec::Contract& contract, const spec::FrameState& frame,
+                       core::TileRows wanted)
+    : rows(wanted),
+      tile_log2(contract.design.tile_log2),
+      stamp_width_log2(contract.design.stamp_width_log2),
+      stamp_height_log2(contract.design.stamp_height_log2),
+      tests_depth(core::tests_depth(contract, frame)),
+      writes_depth(tests_depth && frame.depth_write),
+      when(core::passes_when(frame.depth)),
+      channels(spec::channels(contract.design)),
+      attributes(contract.design.attributes),
+      depth_bits(contract.design.depth_test ? contract.design.depth_bits : 1),
+      depth_plane_bits(contract.width.depth_plane),
+      dropped_bits(contract.design.gradient_fraction_bits - contract.design.tile_fraction_bits),
+      fraction_bits(contract.design.tile_fraction_bits) {}
+
+HWY_EXPORT(draw_all);
+
+void draw_blocks(const BlockState& state, const spec::SetupPrim* prims, size_t count,
+                 BlockBuffer* buffer, BlockCounts* counts) {
+  HWY_DYNAMIC_DISPATCH(draw_all)(state, prims, count, buffer, counts);
+}
+
+}  // namespace pineda::fast
+#endif
