@@ -26,9 +26,11 @@ double draw_once(const scene::Scene& scene, Progress* progress, fast::BandRender
   return seconds;
 }
 
-double draw_repeatedly(const scene::Scene& scene, int runs, Progress* progress,
-                       fast::BandRenderer* renderer) {
-  const auto triangles = load_all(scene.source.get(), progress);
+double draw_repeatedly(const scene::Scene& scene, const spec::Contract& contract, int runs,
+                       Progress* progress, fast::BandRenderer* renderer) {
+  fast::TriangleList triangles(contract);
+  ChunkedTriangles source(scene.source.get(), progress, "loading");
+  for (spec::Triangle triangle; source.next(&triangle);) triangles.push_back(triangle);
   std::vector<double> seconds;
   for (int i = 0; i < runs; ++i) {
     seconds.push_back(seconds_of([&] {
@@ -49,7 +51,7 @@ int run(const RenderOptions& options) {
   fast::BandRenderer renderer(contract, scene.frame, options.threads,
                               options.dump.empty() ? Hits::kUncounted : Hits::kCounted);
   const double seconds = options.bench > 0
-                             ? draw_repeatedly(scene, options.bench, &progress, &renderer)
+                             ? draw_repeatedly(scene, contract, options.bench, &progress, &renderer)
                              : draw_once(scene, &progress, &renderer);
   progress.clear();
   print_notes(output, job);

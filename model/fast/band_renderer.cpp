@@ -35,6 +35,10 @@ void BandRenderer::draw(const std::vector<spec::Triangle>& triangles) {
                 [&triangles](Renderer* band) { band->draw(triangles.data(), triangles.size()); });
 }
 
+void BandRenderer::draw(const TriangleList& list) {
+  for_each_band(bands_, [&list](Renderer* band) { band->draw(list); });
+}
+
 core::FrameCounters BandRenderer::counters() const {
   core::FrameCounters sum = bands_[0]->counters();  // setup's counts are the same in each band
   for (size_t i = 1; i < bands_.size(); ++i) {

@@ -21,6 +21,7 @@ class BandRenderer {
 
   void clear();
   void draw(const std::vector<spec::Triangle>& triangles);
+  void draw(const TriangleList& list);
   core::FrameCounters counters() const;
   core::FrameBuffer buffer() const;
 

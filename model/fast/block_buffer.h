@@ -44,8 +44,13 @@ struct BlockBuffer {
   /// The line with that sample.
   size_t line(int x, int y) const {
     constexpr int kAcross = kBlockPx / kLineWidthPx;
-    return block(x, y) * kBlockLines + static_cast<size_t>(y % kBlockPx / kLineHeightPx * kAcross +
-                                                           x % kBlockPx / kLineWidthPx);
+    return block(0, y) * kBlockLines + static_cast<size_t>(y % kBlockPx / kLineHeightPx * kAcross) +
+           line_in_row(x);
+  }
+  /// From the line at the left of the frame.
+  static size_t line_in_row(int x) {
+    return static_cast<size_t>(x / kBlockPx) * kBlockLines +
+           static_cast<size_t>(x % kBlockPx / kLineWidthPx);
   }
   /// Copies rows of samples, first to last, as far as the frame goes, to a buffer of this frame.
   void copy_rows(int first, int last, core::FrameBuffer* to) const;

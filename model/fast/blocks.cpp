@@ -17,7 +17,7 @@ namespace {
 
 #if HWY_TARGET == HWY_SCALAR
 // No vectors: has_blocks() says so.
-void draw_all(const BlockState&, const spec::SetupPrim*, size_t, BlockBuffer*, BlockCounts*) {}
+void draw_all(const BlockState&, const PrimGroup&, BlockBuffer*, BlockCounts*) {}
 #else
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -174,11 +174,11 @@ HWY_INLINE Pairs pairs_of(Channels v) {
   return {hn::GetLane(pairs), hn::ExtractLane(pairs, 1)};
 }
 
-HWY_INLINE DepthPlane depth_plane(const BlockState& s, const spec::Plane& plane) {
+HWY_INLINE DepthPlane depth_plane(const BlockState& s, const PrimGroup& g, size_t i) {
   DepthPlane z;
-  z.ref = static_cast<uint64_t>(plane.ref);
-  z.dx = static_cast<uint64_t>(plane.dx);
-  z.dy = static_cast<uint64_t>(plane.dy);
+  z.ref = static_cast<uint64_t>(g.z_ref[i]);
+  z.dx = static_cast<uint64_t>(g.z_dx[i]);
+  z.dy = static_cast<uint64_t>(g.z_dy[i]);
   z.tile_dx = kept(z.dx, s.depth_plane_bits, s.dropped_bits);
   z.tile_dy = kept(z.dy, s.depth_plane_bits, s.dropped_bits);
   z.block_fall =
@@ -190,21 +190,9 @@ HWY_INLINE DepthPlane depth_plane(const BlockState& s, const spec::Plane& plane)
   return z;
 }
 
-HWY_INLINE ColorPlanes color_planes(const BlockState& s, const spec::PlaneSet& planes) {
-  alignas(16) std::array<uint32_t, 4> ref{}, dx{}, dy{};
-  for (size_t i = 0; i < static_cast<size_t>(s.channels); ++i) {
-    const auto attributes = static_cast<size_t>(s.attributes);
-    if (i < attributes) {
-      ref[i] = static_cast<uint32_t>(planes.attr[i].ref);
-      dx[i] = static_cast<uint32_t>(planes.attr[i].dx);
-      dy[i] = static_cast<uint32_t>(planes.attr[i].dy);
-    } else {
-      const auto flat = static_cast<uint32_t>(planes.flat[i - attributes]);
-      ref[i] = flat << (s.fraction_bits + s.dropped_bits);
-    }
-  }
-  return {hn::Load(kChannels, ref.data()), hn::Load(kChannels, dx.data()),
-          hn::Load(kChannels, dy.data())};
+HWY_INLINE ColorPlanes color_planes(const PrimGroup& g, size_t i) {
+  return {hn::LoadU(kChannels, g.color_ref[i].data()), hn::LoadU(kChannels, g.color_dx[i].data()),
+          hn::LoadU(kChannels, g.color_dy[i].data())};
 }
 
 // As in a tile: without the fraction bits that it drops; the code is the upper byte of 16 bits.
@@ -414,7 +402,7 @@ HWY_INLINE void count(const BlockState& s, const Outcome& outcome, BlockCounts* 
 
 // One block of the tile at left, top: i, j px from its corner. `color`: at the tile's first sample.
 template <When Test>
-HWY_INLINE void draw_block_of(const BlockState& s, const spec::SetupPrim& prim, const Triangle& t,
+HWY_INLINE void draw_block_of(const BlockState& s, const EdgePrim& prim, const Triangle& t,
                               const TileSteps& tile, int i, int j, uint64_t box, int64_t z_of_tile,
                               Pairs color, size_t number, BlockBuffer* buffer,
                               BlockCounts* counts) {
@@ -446,7 +434,7 @@ HWY_INLINE void draw_block_of(const BlockState& s, const spec::SetupPrim& prim, 
 }
 
 template <When Test>
-HWY_INLINE void draw_tile(const BlockState& s, const spec::SetupPrim& prim, const Triangle& t,
+HWY_INLINE void draw_tile(const BlockState& s, const EdgePrim& prim, const Triangle& t,
                           const TileSteps& tile, BlockBuffer* buffer, BlockCounts* counts) {
   const int side = 1 << s.tile_log2;
   const int left = tile.x() << s.tile_log2, top = tile.y() << s.tile_log2;
@@ -480,25 +468,25 @@ HWY_INLINE void draw_tile(const BlockState& s, const spec::SetupPrim& prim, cons
 }
 
 template <When Test>
-HWY_INLINE void draw(const BlockState& s, const spec::SetupPrim* prims, size_t count,
-                     BlockBuffer* buffer, BlockCounts* counts) {
-  const auto edge = [](const spec::EdgeFunction& e) HWY_ATTR {
-    return EdgeSlope(static_cast<int32_t>(e.a), static_cast<int32_t>(e.b));
-  };
+HWY_INLINE void draw(const BlockState& s, const PrimGroup& group, BlockBuffer* buffer,
+                     BlockCounts* counts) {
   const int raise = 32 - s.depth_bits - s.fraction_bits;
-  for (size_t i = 0; i < count; ++i) {
-    const spec::SetupPrim& prim = prims[i];
+  for (uint32_t left = group.drawn; left != 0; left &= left - 1) {
+    const auto i = static_cast<size_t>(__builtin_ctz(left));
+    const EdgePrim prim(group, i);
     DepthPlane depth{};
-    if constexpr (Test != When::kAlways) depth = depth_plane(s, prim.planes.z);
-    const ColorPlanes color = color_planes(s, prim.planes);
+    if constexpr (Test != When::kAlways) depth = depth_plane(s, group, i);
+    const ColorPlanes color = color_planes(group, i);
     const Pairs dx = pairs_of(in_tile(s, color.dx)), dy = pairs_of(in_tile(s, color.dy));
-    const Triangle t{{edge(prim.edge[0]), edge(prim.edge[1]), edge(prim.edge[2])},
-                     CodeSlope(static_cast<uint32_t>(depth.tile_dx) << raise,
-                               static_cast<uint32_t>(depth.tile_dy) << raise),
-                     PairSlope(dx.low, dy.low),
-                     PairSlope(dx.high, dy.high),
-                     depth,
-                     color};
+    const Triangle t{
+        {EdgeSlope(group.a[0][i], group.b[0][i]), EdgeSlope(group.a[1][i], group.b[1][i]),
+         EdgeSlope(group.a[2][i], group.b[2][i])},
+        CodeSlope(static_cast<uint32_t>(depth.tile_dx) << raise,
+                  static_cast<uint32_t>(depth.tile_dy) << raise),
+        PairSlope(dx.low, dy.low),
+        PairSlope(dx.high, dy.high),
+        depth,
+        color};
     TileSteps tile;
     tile.begin(prim, s.tile_log2, s.rows);
     while (!tile.ended()) {
@@ -514,14 +502,14 @@ HWY_INLINE void draw(const BlockState& s, const spec::SetupPrim* prims, size_t c
   }
 }
 
-void draw_all(const BlockState& s, const spec::SetupPrim* prims, size_t count, BlockBuffer* buffer,
+void draw_all(const BlockState& s, const PrimGroup& group, BlockBuffer* buffer,
               BlockCounts* counts) {
-  if (!s.tests_depth) return draw<When::kAlways>(s, prims, count, buffer, counts);
+  if (!s.tests_depth) return draw<When::kAlways>(s, group, buffer, counts);
   if (s.when.less && !s.when.greater) {
-    return s.when.equal ? draw<When::kLequal>(s, prims, count, buffer, counts)
-                        : draw<When::kLess>(s, prims, count, buffer, counts);
+    return s.when.equal ? draw<When::kLequal>(s, group, buffer, counts)
+                        : draw<When::kLess>(s, group, buffer, counts);
   }
-  draw<When::kAny>(s, prims, count, buffer, counts);
+  draw<When::kAny>(s, group, buffer, counts);
 }
 
 #endif
@@ -562,7 +550,6 @@ BlockState::BlockState(const spec::Contract& contract, const spec::FrameState& f
       writes_depth(tests_depth && frame.depth_write),
       when(core::passes_when(frame.depth)),
       channels(spec::channels(contract.design)),
-      attributes(contract.design.attributes),
       depth_bits(contract.design.depth_test ? contract.design.depth_bits : 1),
       depth_plane_bits(contract.width.depth_plane),
       dropped_bits(contract.design.gradient_fraction_bits - contract.design.tile_fraction_bits),
@@ -570,9 +557,9 @@ BlockState::BlockState(const spec::Contract& contract, const spec::FrameState& f
 
 HWY_EXPORT(draw_all);
 
-void draw_blocks(const BlockState& state, const spec::SetupPrim* prims, size_t count,
-                 BlockBuffer* buffer, BlockCounts* counts) {
-  HWY_DYNAMIC_DISPATCH(draw_all)(state, prims, count, buffer, counts);
+void draw_blocks(const BlockState& state, const PrimGroup& group, BlockBuffer* buffer,
+                 BlockCounts* counts) {
+  HWY_DYNAMIC_DISPATCH(draw_all)(state, group, buffer, counts);
 }
 
 }  // namespace pineda::fast

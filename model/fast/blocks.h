@@ -3,6 +3,7 @@
 
 #include "model/core/interp.h"
 #include "model/fast/block_buffer.h"
+#include "model/fast/prim_group.h"
 
 namespace pineda::fast {
 
@@ -21,7 +22,7 @@ struct BlockState {
   int stamp_width_log2, stamp_height_log2;
   bool tests_depth, writes_depth;
   core::PassesWhen when;
-  int channels, attributes;  // the other channels are flat
+  int channels;
   int depth_bits;
   // Planes: bits of the whole plane, fraction bits that a tile drops and that it keeps.
   int depth_plane_bits, dropped_bits, fraction_bits;
@@ -35,8 +36,8 @@ struct BlockCounts {
   uint64_t stamps = 0, fragments = 0, interpolated = 0, passed = 0;
 };
 
-/// Draws `count` triangles in order. Bits: those of core::Renderer.
-void draw_blocks(const BlockState& state, const spec::SetupPrim* prims, size_t count,
-                 BlockBuffer* buffer, BlockCounts* counts);
+/// Draws the triangles of a group that are not dropped, in order. Bits: those of core::Renderer.
+void draw_blocks(const BlockState& state, const PrimGroup& group, BlockBuffer* buffer,
+                 BlockCounts* counts);
 
 }  // namespace pineda::fast

@@ -8,23 +8,49 @@ using core::Drop;
 
 namespace {
 
-// So many triangles are set up before they are drawn: meanwhile the memories' lines arrive.
-constexpr size_t kBatch = 16;
-
 // Asks for the first lines of a triangle's box: all of a small one, two blocks across and down.
 // Inlined, since GCC takes a function that only prefetches for one that does nothing.
-PINEDA_INLINE void prefetch(const BlockBuffer& buffer, const spec::SetupPrim& prim,
+PINEDA_INLINE void prefetch(const BlockBuffer& buffer, const PrimGroup& g, size_t i,
                             core::TileRows rows, int tile_log2) {
-  if (prim.y0 >> tile_log2 < rows.first || prim.y0 >> tile_log2 > rows.last) return;
-  const int last_y = std::min(prim.y1, (prim.y0 | (kBlockPx - 1)) + kBlockPx);
-  const int last_x = std::min(prim.x1, (prim.x0 | (kBlockPx - 1)) + kBlockPx);
-  for (int y = prim.y0 & -kLineHeightPx; y <= last_y; y += kLineHeightPx) {
-    for (int x = prim.x0 & -kLineWidthPx; x <= last_x; x += kLineWidthPx) {
-      const size_t line = buffer.line(x, y);
+  if (g.y0[i] >> tile_log2 < rows.first || g.y0[i] >> tile_log2 > rows.last) return;
+  const int last_y = std::min(g.y1[i], (g.y0[i] | (kBlockPx - 1)) + kBlockPx);
+  const int last_x = std::min(g.x1[i], (g.x0[i] | (kBlockPx - 1)) + kBlockPx);
+  for (int y = g.y0[i] & -kLineHeightPx; y <= last_y; y += kLineHeightPx) {
+    const size_t row = buffer.line(0, y);
+    for (int x = g.x0[i] & -kLineWidthPx; x <= last_x; x += kLineWidthPx) {
+      const size_t line = row + BlockBuffer::line_in_row(x);
       __builtin_prefetch(&buffer.lines[line], 1);
       if (!buffer.hits.empty()) __builtin_prefetch(&buffer.hits[line * kLineSamples], 1);
     }
   }
+}
+
+// Takes over what setup made of one triangle.
+void put(const spec::Contract& c, const spec::SetupPrim& prim, size_t i, PrimGroup* g) {
+  g->x0[i] = prim.x0;
+  g->y0[i] = prim.y0;
+  g->x1[i] = prim.x1;
+  g->y1[i] = prim.y1;
+  for (size_t k = 0; k < 3; ++k) {
+    g->a[k][i] = static_cast<int32_t>(prim.edge[k].a);
+    g->b[k][i] = static_cast<int32_t>(prim.edge[k].b);
+    g->e[k][i] = prim.edge[k].e;
+  }
+  g->z_dx[i] = prim.planes.z.dx;
+  g->z_dy[i] = prim.planes.z.dy;
+  g->z_ref[i] = prim.planes.z.ref;
+  const auto attributes = static_cast<size_t>(c.design.attributes);
+  for (size_t a = 0; a < static_cast<size_t>(spec::channels(c.design)); ++a) {
+    const bool is_flat = a >= attributes;
+    const spec::Plane plane = is_flat ? spec::Plane{0, 0,
+                                                    int64_t{prim.planes.flat[a - attributes]}
+                                                        << c.design.gradient_fraction_bits}
+                                      : prim.planes.attr[a];
+    g->color_dx[i][a] = static_cast<uint32_t>(plane.dx);
+    g->color_dy[i][a] = static_cast<uint32_t>(plane.dy);
+    g->color_ref[i][a] = static_cast<uint32_t>(plane.ref);
+  }
+  g->drawn |= 1U << i;
 }
 
 }  // namespace
@@ -40,9 +66,12 @@ Renderer::Renderer(const spec::Contract& contract, const spec::FrameState& frame
       counts_hits_(hits == Hits::kCounted) {
   if (has_blocks(contract, frame)) {
     blocks_.emplace(Blocks{BlockState(contract, frame, rows),
+                           {},
                            BlockBuffer(contract, frame, counts_hits_),
                            {},
-                           std::vector<spec::SetupPrim>(kBatch)});
+                           {},
+                           {}});
+    if (has_setup_lanes(contract)) blocks_->lanes.emplace(contract, frame);
   } else {
     buffer_ = TiledBuffer(contract, frame);
   }
@@ -93,8 +122,8 @@ core::FrameCounters Renderer::counters() const {
   return counters;
 }
 
-Drop Renderer::set_up(const spec::Triangle& triangle, spec::SetupPrim* prim) {
-  const Drop drop = setup(contract_, frame_, triangle, prim);
+Drop Renderer::set_up(const spec::Triangle& triangle) {
+  const Drop drop = setup(contract_, frame_, triangle, &prim_);
   ++counters_.triangles;
   ++counters_.dropped[static_cast<size_t>(drop)];
   return drop;
@@ -104,31 +133,59 @@ Drop Renderer::draw(const spec::Triangle& triangle) {
   if (contract_.design.reciprocal_scheme == spec::ReciprocalScheme::kNone) {
     return draw_exactly(triangle);
   }
-  const Drop drop = set_up(triangle, &prim_);
+  const Drop drop = set_up(triangle);
   if (drop != Drop::kNone) return drop;
   if (blocks_) {
-    draw_blocks(blocks_->state, &prim_, 1, &blocks_->buffer, &blocks_->counts);
+    blocks_->prims.drawn = 0;
+    put(contract_, prim_, 0, &blocks_->prims);
+    draw_prims();
   } else {
     draw_tiles();
   }
   return drop;
 }
 
+void Renderer::draw(const TriangleList& list) {
+  if (!list.is_grouped() || !blocks_) return draw(list.whole().data(), list.whole().size());
+  for (size_t i = 0; i < list.groups().size(); ++i) {
+    draw_group(list.groups()[i], std::min(kGroup, list.size() - i * kGroup));
+  }
+}
+
 void Renderer::draw(const spec::Triangle* triangles, size_t count) {
-  if (!blocks_) {
-    for (size_t i = 0; i < count; ++i) draw(triangles[i]);
-    return;
-  }
-  for (size_t begin = 0; begin < count; begin += kBatch) {
-    size_t kept = 0;
-    for (size_t i = begin; i < std::min(begin + kBatch, count); ++i) {
-      spec::SetupPrim* const prim = &blocks_->prims[kept];
-      if (set_up(triangles[i], prim) != Drop::kNone) continue;
-      prefetch(blocks_->buffer, *prim, rows_, contract_.design.tile_log2);
-      ++kept;
+  for (size_t begin = 0; begin < count; begin += kGroup) {
+    const size_t n = std::min(kGroup, count - begin);
+    if (blocks_ && blocks_->lanes) {
+      for (size_t i = 0; i < n; ++i) {
+        blocks_->triangles.set(i, triangles[begin + i], blocks_->state.channels);
+      }
+      draw_group(blocks_->triangles, n);
+    } else if (blocks_) {
+      blocks_->prims.drawn = 0;
+      for (size_t i = 0; i < n; ++i) {
+        if (set_up(triangles[begin + i]) == Drop::kNone) put(contract_, prim_, i, &blocks_->prims);
+      }
+      draw_prims();
+    } else {
+      for (size_t i = 0; i < n; ++i) draw(triangles[begin + i]);
     }
-    draw_blocks(blocks_->state, blocks_->prims.data(), kept, &blocks_->buffer, &blocks_->counts);
   }
+}
+
+void Renderer::draw_group(const TriangleGroup& triangles, size_t count) {
+  counters_.triangles += count;
+  fast::set_up(*blocks_->lanes, triangles, count, &blocks_->prims, &counters_.dropped);
+  draw_prims();
+}
+
+// All are set up before one is drawn: meanwhile the memories' lines arrive.
+void Renderer::draw_prims() {
+  const PrimGroup& prims = blocks_->prims;
+  for (uint32_t left = prims.drawn; left != 0; left &= left - 1) {
+    prefetch(blocks_->buffer, prims, static_cast<size_t>(__builtin_ctz(left)), rows_,
+             contract_.design.tile_log2);
+  }
+  draw_blocks(blocks_->state, prims, &blocks_->buffer, &blocks_->counts);
 }
 
 void Renderer::draw_tiles() {

@@ -7,6 +7,7 @@
 #include "model/fast/blocks.h"
 #include "model/fast/setup.h"
 #include "model/fast/tile_shader.h"
+#include "model/fast/triangle_list.h"
 
 namespace pineda::fast {
 
@@ -33,15 +34,21 @@ class Renderer {
   void clear();
   core::Drop draw(const spec::Triangle& triangle);
   void draw(const spec::Triangle* triangles, size_t count);
+  void draw(const TriangleList& list);
 
  private:
+  // What draws blocks.
   struct Blocks {
     BlockState state;
+    std::optional<SetupLanes> lanes;  // or else triangles are set up one by one
     BlockBuffer buffer;
     BlockCounts counts;
-    std::vector<spec::SetupPrim> prims;  // set up, not drawn yet
+    TriangleGroup triangles;
+    PrimGroup prims;
   };
-  core::Drop set_up(const spec::Triangle& triangle, spec::SetupPrim* prim);
+  core::Drop set_up(const spec::Triangle& triangle);
+  void draw_group(const TriangleGroup& triangles, size_t count);
+  void draw_prims();
   void draw_tiles();
   core::Drop draw_exactly(const spec::Triangle& triangle);
 

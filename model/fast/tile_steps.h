@@ -12,11 +12,12 @@ namespace pineda::fast {
 using EdgeValues = std::array<int64_t, 3>;
 
 /// Bits     those of core::TileWalk.
-/// In       begin(): a SetupPrim, whose planes are not looked at; the rows of tiles that are wanted.
+/// In       begin(): a SetupPrim or its box and edges; the rows of tiles that are wanted.
 /// Out      while !ended(): the tile at x(), y(), in tiles, and which edges reject it; then step().
 class TileSteps {
  public:
-  PINEDA_INLINE void begin(const spec::SetupPrim& prim, int tile_log2, core::TileRows rows);
+  template <class Prim>
+  PINEDA_INLINE void begin(const Prim& prim, int tile_log2, core::TileRows rows);
 
   bool ended() const { return y_ > last_y_; }
   int x() const { return x_; }
@@ -62,8 +63,8 @@ class TileSteps {
 };
 
 // Each edge is written out: for three a loop does not pay.
-PINEDA_INLINE void TileSteps::begin(const spec::SetupPrim& prim, int tile_log2,
-                                    core::TileRows rows) {
+template <class Prim>
+PINEDA_INLINE void TileSteps::begin(const Prim& prim, int tile_log2, core::TileRows rows) {
   x_ = start_x_ = first_x_ = prim.x0 >> tile_log2;
   y_ = prim.y0 >> tile_log2;
   last_x_ = prim.x1 >> tile_log2;

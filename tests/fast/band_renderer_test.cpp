@@ -15,6 +15,10 @@ TEST(BandRenderer, EqualsCoreForEveryNumberOfThreads) {
     triangles.push_back(random_triangle(random, static_cast<Shape>(random.between(0, 4))));
     randomize_values(random, &triangles.back());
   }
+  fast::TriangleList list(kContract);
+  for (const auto& t : triangles) list.push_back(t);
+  EXPECT_TRUE(list.is_grouped());
+  EXPECT_EQ(list.size(), triangles.size());
   core::Renderer whole(kContract, kWindow);
   for (const auto& t : triangles) whole.draw(t);
   const core::FrameCounters& expected = whole.counters();
@@ -23,7 +27,7 @@ TEST(BandRenderer, EqualsCoreForEveryNumberOfThreads) {
     fast::BandRenderer bands(kContract, kWindow, threads);
     bands.draw(triangles);
     bands.clear();
-    bands.draw(triangles);
+    bands.draw(list);
     const core::FrameCounters got = bands.counters();
     for (const core::FrameCounter& row : core::kFrameCounters) {
       EXPECT_EQ(row.of(got), row.of(expected)) << row.name << ' ' << threads;

@@ -68,13 +68,14 @@ std::string compare(const spec::Contract& c, const spec::Contract& of_tiles, uin
   const spec::FrameState frame = random_frame(&random);
   core::Renderer stamps(c, frame);
   fast::Renderer tiles(of_tiles, frame);
-  for (int i = 0; i < 40; ++i) {
-    const spec::Triangle t = random_triangle(c, frame, &random);
-    stamps.draw(t);
-    tiles.draw(t);
-  }
+  std::vector<spec::Triangle> triangles;
+  for (int i = 0; i < 40; ++i) triangles.push_back(random_triangle(c, frame, &random));
+  // Half as a list, which is set up side by side.
+  for (const auto& t : triangles) stamps.draw(t);
+  tiles.draw(triangles.data(), 20);
+  for (size_t i = 20; i < triangles.size(); ++i) tiles.draw(triangles[i]);
   const core::FrameCounters& a = stamps.counters();
-  const core::FrameCounters& b = tiles.counters();
+  const core::FrameCounters b = tiles.counters();
   *drawn += a.passed;
   for (const core::FrameCounter& row : core::kFrameCounters) {
     if (row.of(a) != row.of(b)) return row.name;
