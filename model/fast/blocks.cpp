@@ -174,7 +174,8 @@ HWY_INLINE Pairs pairs_of(Channels v) {
   return {hn::GetLane(pairs), hn::ExtractLane(pairs, 1)};
 }
 
-HWY_INLINE DepthPlane depth_plane(const BlockState& s, const PrimGroup& g, size_t i) {
+template <class State>
+HWY_INLINE DepthPlane depth_plane(const State& s, const PrimGroup& g, size_t i) {
   DepthPlane z;
   z.ref = static_cast<uint64_t>(g.z_ref[i]);
   z.dx = static_cast<uint64_t>(g.z_dx[i]);
@@ -196,7 +197,8 @@ HWY_INLINE ColorPlanes color_planes(const PrimGroup& g, size_t i) {
 }
 
 // As in a tile: without the fraction bits that it drops; the code is the upper byte of 16 bits.
-HWY_INLINE Channels in_tile(const BlockState& s, Channels v) {
+template <class State>
+HWY_INLINE Channels in_tile(const State& s, Channels v) {
   const Channels half = hn::Set(kChannels, (1U << s.dropped_bits) >> 1);
   return hn::ShiftLeftSame(hn::ShiftRightSame(hn::Add(v, half), s.dropped_bits),
                            8 - s.fraction_bits);
@@ -279,7 +281,8 @@ struct Cursor {
   Halves low, high;
 
   // `above`: rows of the block that are left out.
-  HWY_INLINE Cursor(const BlockState& s, const Triangle& t, const Block& block, int above)
+  template <class State>
+  HWY_INLINE Cursor(const State& s, const Triangle& t, const Block& block, int above)
       : e0(edge_from(t, block, 0, above)),
         e1(edge_from(t, block, 1, above)),
         e2(edge_from(t, block, 2, above)),
@@ -318,17 +321,15 @@ struct Cursor {
 };
 
 // Draws the covered samples of a block; Hidden: none of them passes.
-template <When Test, bool Hidden>
-HWY_INLINE Outcome draw_block(const BlockState& s, const Triangle& t, const Block& block,
-                              size_t number, BlockBuffer* buffer) {
+template <When Test, bool Hidden, class State>
+HWY_INLINE Outcome draw_block(const State& s, const Triangle& t, const Block& block, size_t number,
+                              BlockBuffer* buffer) {
   Outcome outcome;
   constexpr int kPairBits = static_cast<int>(kPair);
   const int first = __builtin_ctzll(block.box) / kPairBits;
   const int last = (63 - __builtin_clzll(block.box)) / kPairBits;
   Cursor cursor(s, t, block, first * kLineHeightPx);
   SampleLine* const lines = buffer->lines.data() + number * kBlockLines;
-  uint16_t* const hits =
-      buffer->hits.empty() ? nullptr : buffer->hits.data() + number * kBlockSamples;
   Codes greatest = hn::Zero(kCodes);
   for (int pair = first; pair <= last; ++pair, cursor.step_down(t)) {
     for (int part = 0; part < kParts; ++part) {
@@ -336,7 +337,9 @@ HWY_INLINE Outcome draw_block(const BlockState& s, const Triangle& t, const Bloc
       uint64_t covered = block.box >> at & kAllBits;
       if (!block.is_inside) covered &= ~cursor.outside(t, part);
       outcome.covered |= covered << at;
-      if (hits != nullptr) count_hits(covered, hits + at);
+      if (s.counts_hits) {
+        count_hits(covered, buffer->hits.data() + number * kBlockSamples + at);
+      }
       if (Hidden || covered == 0) continue;
       SampleLine* const line = lines + at / kLineSamples;
       uint64_t passed = covered;
@@ -363,8 +366,8 @@ HWY_INLINE Outcome draw_block(const BlockState& s, const Triangle& t, const Bloc
 }
 
 // Is what a triangle has in a block behind all that is stored there?
-template <When Test>
-HWY_INLINE bool is_hidden(const BlockState& s, const DepthPlane& z, int64_t at_block,
+template <When Test, class State>
+HWY_INLINE bool is_hidden(const State& s, const DepthPlane& z, int64_t at_block,
                           uint32_t greatest) {
   if constexpr (Test != When::kLess && Test != When::kLequal) return false;
   const int64_t half = (int64_t{1} << s.fraction_bits) >> 1;
@@ -377,7 +380,8 @@ HWY_INLINE uint64_t ones(uint64_t bits) {
 }
 
 // How many stamps of a block have one of these samples.
-HWY_INLINE uint64_t stamps_of(const BlockState& s, uint64_t block) {
+template <class State>
+HWY_INLINE uint64_t stamps_of(const State& s, uint64_t block) {
   constexpr uint64_t kColumns[] = {~uint64_t{0}, 0x5555555555555555, 0x1111111111111111};
   constexpr uint64_t kStampRows[] = {~uint64_t{0}, 0x0f0f0f0f0f0f0f0f, 0x00000f0f00000f0f};
   if (s.stamp_width_log2 >= 1) block |= block >> 1;
@@ -387,7 +391,8 @@ HWY_INLINE uint64_t stamps_of(const BlockState& s, uint64_t block) {
   return ones(block & kColumns[s.stamp_width_log2] & kStampRows[s.stamp_height_log2]);
 }
 
-HWY_INLINE void count(const BlockState& s, const Outcome& outcome, BlockCounts* counts) {
+template <class State>
+HWY_INLINE void count(const State& s, const Outcome& outcome, BlockCounts* counts) {
   counts->fragments += ones(outcome.covered);
   const uint64_t stamps = stamps_of(s, outcome.covered);
   counts->stamps += stamps;
@@ -401,8 +406,8 @@ HWY_INLINE void count(const BlockState& s, const Outcome& outcome, BlockCounts* 
 }
 
 // One block of the tile at left, top: i, j px from its corner. `color`: at the tile's first sample.
-template <When Test>
-HWY_INLINE void draw_block_of(const BlockState& s, const EdgePrim& prim, const Triangle& t,
+template <When Test, class State>
+HWY_INLINE void draw_block_of(const State& s, const EdgePrim& prim, const Triangle& t,
                               const TileSteps& tile, int i, int j, uint64_t box, int64_t z_of_tile,
                               Pairs color, size_t number, BlockBuffer* buffer,
                               BlockCounts* counts) {
@@ -411,7 +416,7 @@ HWY_INLINE void draw_block_of(const BlockState& s, const EdgePrim& prim, const T
   block.box = box;
   block.is_inside = tile.accepted();
   const bool hidden = is_hidden<Test>(s, t.depth, block.z, buffer->greatest[number]);
-  if (hidden && block.is_inside && buffer->hits.empty()) {
+  if (hidden && block.is_inside && !s.counts_hits) {
     counts->fragments += ones(box);
     counts->stamps += stamps_of(s, box);
     return;
@@ -433,8 +438,8 @@ HWY_INLINE void draw_block_of(const BlockState& s, const EdgePrim& prim, const T
   count(s, draw_block<Test, false>(s, t, block, number, buffer), counts);
 }
 
-template <When Test>
-HWY_INLINE void draw_tile(const BlockState& s, const EdgePrim& prim, const Triangle& t,
+template <When Test, class State>
+HWY_INLINE void draw_tile(const State& s, const EdgePrim& prim, const Triangle& t,
                           const TileSteps& tile, BlockBuffer* buffer, BlockCounts* counts) {
   const int side = 1 << s.tile_log2;
   const int left = tile.x() << s.tile_log2, top = tile.y() << s.tile_log2;
@@ -467,8 +472,8 @@ HWY_INLINE void draw_tile(const BlockState& s, const EdgePrim& prim, const Trian
   }
 }
 
-template <When Test>
-HWY_INLINE void draw(const BlockState& s, const PrimGroup& group, BlockBuffer* buffer,
+template <When Test, class State>
+HWY_INLINE void draw(const State& s, const PrimGroup& group, BlockBuffer* buffer,
                      BlockCounts* counts) {
   const int raise = 32 - s.depth_bits - s.fraction_bits;
   for (uint32_t left = group.drawn; left != 0; left &= left - 1) {
@@ -502,13 +507,36 @@ HWY_INLINE void draw(const BlockState& s, const PrimGroup& group, BlockBuffer* b
   }
 }
 
+// What most frames are drawn with, as constants.
+struct CommonState {
+  static constexpr int tile_log2 = 3;
+  static constexpr int stamp_width_log2 = 1, stamp_height_log2 = 1;
+  static constexpr bool writes_depth = true, counts_hits = false;
+  static constexpr int channels = 4;
+  static constexpr int depth_bits = 24;
+  static constexpr int depth_plane_bits = 44, dropped_bits = 10, fraction_bits = 8;
+  core::TileRows rows;
+  core::PassesWhen when;
+
+  static bool holds(const BlockState& s) {
+    return s.tile_log2 == tile_log2 && s.stamp_width_log2 == stamp_width_log2 &&
+           s.stamp_height_log2 == stamp_height_log2 && s.writes_depth && !s.counts_hits &&
+           s.channels == channels && s.depth_bits == depth_bits &&
+           s.depth_plane_bits == depth_plane_bits && s.dropped_bits == dropped_bits &&
+           s.fraction_bits == fraction_bits;
+  }
+};
+
 void draw_all(const BlockState& s, const PrimGroup& group, BlockBuffer* buffer,
               BlockCounts* counts) {
   if (!s.tests_depth) return draw<When::kAlways>(s, group, buffer, counts);
-  if (s.when.less && !s.when.greater) {
-    return s.when.equal ? draw<When::kLequal>(s, group, buffer, counts)
-                        : draw<When::kLess>(s, group, buffer, counts);
+  const bool is_less = s.when.less && !s.when.greater;
+  if (is_less && !s.when.equal) {
+    const CommonState common{s.rows, s.when};
+    return CommonState::holds(s) ? draw<When::kLess>(common, group, buffer, counts)
+                                 : draw<When::kLess>(s, group, buffer, counts);
   }
+  if (is_less) return draw<When::kLequal>(s, group, buffer, counts);
   draw<When::kAny>(s, group, buffer, counts);
 }
 
@@ -541,13 +569,14 @@ bool has_blocks(const spec::Contract& c, const spec::FrameState& frame) {
 }
 
 BlockState::BlockState(const spec::Contract& contract, const spec::FrameState& frame,
-                       core::TileRows wanted)
+                       core::TileRows wanted, bool with_hits)
     : rows(wanted),
       tile_log2(contract.design.tile_log2),
       stamp_width_log2(contract.design.stamp_width_log2),
       stamp_height_log2(contract.design.stamp_height_log2),
       tests_depth(core::tests_depth(contract, frame)),
       writes_depth(tests_depth && frame.depth_write),
+      counts_hits(with_hits),
       when(core::passes_when(frame.depth)),
       channels(spec::channels(contract.design)),
       depth_bits(contract.design.depth_test ? contract.design.depth_bits : 1),

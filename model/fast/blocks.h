@@ -20,14 +20,15 @@ struct BlockState {
   core::TileRows rows;
   int tile_log2;
   int stamp_width_log2, stamp_height_log2;
-  bool tests_depth, writes_depth;
+  bool tests_depth, writes_depth, counts_hits;
   core::PassesWhen when;
   int channels;
   int depth_bits;
   // Planes: bits of the whole plane, fraction bits that a tile drops and that it keeps.
   int depth_plane_bits, dropped_bits, fraction_bits;
 
-  BlockState(const spec::Contract& contract, const spec::FrameState& frame, core::TileRows wanted);
+  BlockState(const spec::Contract& contract, const spec::FrameState& frame, core::TileRows wanted,
+             bool with_hits);
 };
 
 /// Tiles, stamps and samples of the triangles drawn; as in core::FrameCounters.

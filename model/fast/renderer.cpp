@@ -65,7 +65,7 @@ Renderer::Renderer(const spec::Contract& contract, const spec::FrameState& frame
       shader_(contract, frame, TileShader::Values::kAll),
       counts_hits_(hits == Hits::kCounted) {
   if (has_blocks(contract, frame)) {
-    blocks_.emplace(Blocks{BlockState(contract, frame, rows),
+    blocks_.emplace(Blocks{BlockState(contract, frame, rows, counts_hits_),
                            {},
                            BlockBuffer(contract, frame, counts_hits_),
                            {},

@@ -45,7 +45,8 @@ class TileSteps {
   struct Edge {
     int64_t at = 0, at_start = 0;  // E' at the first sample of the tile, of the row's start
     int64_t best = 0, worst = 0;   // what E' changes by to the best and the worst corner
-    int64_t across = 0, down = 0;  // what it changes by to the next tile
+    int64_t across = 0,
+            down = 0;  // what it changes by to the next tile of the row, to the next row
   };
   PINEDA_INLINE void step_down();
   PINEDA_INLINE void set_direction(bool leftward);
@@ -109,17 +110,19 @@ PINEDA_INLINE void TileSteps::step_down() {
   x_ = start_x_;
   ++y_;
   past_ = to_the_end_ = false;
-  if (turns_) set_direction(true);
+  if (turns_ && step_x_ > 0) {
+    set_direction(true);
+    for (Edge& edge : edges_) edge.across = -edge.across;
+  }
   for (Edge& edge : edges_) edge.at = edge.at_start += edge.down;
 }
 
 PINEDA_INLINE void TileSteps::step(int rejects) {
   if (past_ || x_ == end_x_) return step_down();
   auto& [e0, e1, e2] = edges_;
-  const int64_t step = step_x_;
-  e0.at += step * e0.across;
-  e1.at += step * e1.across;
-  e2.at += step * e2.across;
+  e0.at += e0.across;
+  e1.at += e1.across;
+  e2.at += e2.across;
   x_ += step_x_;
   if (!to_the_end_) {
     if (rejects == 0) return;
