@@ -41,8 +41,10 @@ HWY_INLINE Codes columns() {
   const Codes i = hn::Iota(kCodes, 0);
   return hn::Add(hn::And(i, hn::Set(kCodes, 3)), hn::ShiftLeft<2>(hn::ShiftRight<3>(i)));
 }
-HWY_INLINE Codes rows() {
-  return hn::And(hn::ShiftRight<2>(hn::Iota(kCodes, 0)), hn::Set(kCodes, 1));
+// All ones in a line's lower row.
+HWY_INLINE Codes lower_row() {
+  const Codes row = hn::And(hn::ShiftRight<2>(hn::Iota(kCodes, 0)), hn::Set(kCodes, 1));
+  return hn::Sub(hn::Zero(kCodes), row);
 }
 // Where the parts of two lines begin.
 constexpr int part_x(int part) { return part * kN / kLineSamples * kLineWidthPx; }
@@ -101,7 +103,7 @@ struct Slope {
       : a(of_x),
         b(of_y),
         lanes(hn::Add(hn::Mul(hn::BitCast(D(), columns()), hn::Set(D(), a)),
-                      hn::Mul(hn::BitCast(D(), rows()), hn::Set(D(), b)))),
+                      hn::And(hn::BitCast(D(), lower_row()), hn::Set(D(), b)))),
         down(hn::Set(D(), static_cast<T>(b * kLineHeightPx))) {}
   // In a part, with the value at the first sample of part 0.
   HWY_INLINE V in_part(V first, int part) const {
@@ -127,7 +129,7 @@ struct PairSlope {
   HWY_INLINE PairSlope(uint32_t of_x, uint32_t of_y)
       : a(repeat(of_x)),
         b(repeat(of_y)),
-        lanes(hn::Add(hn::Mul(both(columns()), a), hn::Mul(both(rows()), b))),
+        lanes(hn::Add(hn::Mul(both(columns()), a), hn::And(hn::BitCast(kHalves, lower_row()), b))),
         down(hn::Add(b, b)) {}
   static HWY_INLINE Halves times(Halves v, int n) {
     return hn::Mul(v, hn::Set(kHalves, static_cast<uint16_t>(n)));
@@ -150,69 +152,117 @@ HWY_INLINE int64_t kept(uint64_t value, int plane_bits, int dropped_bits) {
   return static_cast<int64_t>((value + half) << above) >> (above + dropped_bits);
 }
 
-struct DepthPlane {
-  uint64_t ref, dx, dy;      // of the triangle
-  int64_t tile_dx, tile_dy;  // in a tile
-  int64_t block_fall = 0;    // from a block's first sample to its least one, at most 0
-  bool is_flat = false;      // values of a tile do not wrap, wherever in it one is in range
-};
-
-constexpr hn::FixedTag<uint32_t, 4> kChannels;
-using Channels = hn::Vec<decltype(kChannels)>;
-
-struct ColorPlanes {
-  Channels ref, dx, dy;
-};
-
 // Channels 0 and 2, 1 and 3 of four numbers of 16 bits.
 struct Pairs {
   uint32_t low, high;
 };
-HWY_INLINE Pairs pairs_of(Channels v) {
-  const Channels back = hn::ShiftRightLanes<2>(kChannels, v);
-  const Channels pairs = hn::Or(hn::And(v, hn::Set(kChannels, 0xffff)), hn::ShiftLeft<16>(back));
-  return {hn::GetLane(pairs), hn::ExtractLane(pairs, 1)};
+// The same of some triangles, side by side: the first two of each four lanes.
+template <class D, class V>
+HWY_INLINE V pairs_of(D d, V v) {
+  const V back = hn::ShiftRightLanes<2>(d, v);
+  return hn::Or(hn::And(v, hn::Set(d, 0xffff)), hn::ShiftLeft<16>(back));
 }
 
-template <class State>
-HWY_INLINE DepthPlane depth_plane(const State& s, const PrimGroup& g, size_t i) {
-  DepthPlane z;
-  z.ref = static_cast<uint64_t>(g.z_ref[i]);
-  z.dx = static_cast<uint64_t>(g.z_dx[i]);
-  z.dy = static_cast<uint64_t>(g.z_dy[i]);
-  z.tile_dx = kept(z.dx, s.depth_plane_bits, s.dropped_bits);
-  z.tile_dy = kept(z.dy, s.depth_plane_bits, s.dropped_bits);
-  z.block_fall =
-      (kBlockPx - 1) * (std::min<int64_t>(z.tile_dx, 0) + std::min<int64_t>(z.tile_dy, 0));
-  // A value in range and one whose distance is below a quarter of the plane's range: both lie within
-  // the plane's range, which is four times that of codes and has half of a code's range below 0.
-  const int64_t quarter = int64_t{1} << (s.depth_plane_bits - s.dropped_bits - 2);
-  z.is_flat = (int64_t{1} << s.tile_log2) * (std::abs(z.tile_dx) + std::abs(z.tile_dy)) < quarter;
-  return z;
-}
-
-HWY_INLINE ColorPlanes color_planes(const PrimGroup& g, size_t i) {
-  return {hn::LoadU(kChannels, g.color_ref[i].data()), hn::LoadU(kChannels, g.color_dx[i].data()),
-          hn::LoadU(kChannels, g.color_dy[i].data())};
-}
-
-// As in a tile: without the fraction bits that it drops; the code is the upper byte of 16 bits.
-template <class State>
-HWY_INLINE Channels in_tile(const State& s, Channels v) {
-  const Channels half = hn::Set(kChannels, (1U << s.dropped_bits) >> 1);
+// Colours as in a tile: without the fraction bits that it drops; the code is the upper byte of 16 bits.
+template <class State, class D, class V>
+HWY_INLINE V in_tile(const State& s, D d, V v) {
+  const V half = hn::Set(d, (1U << s.dropped_bits) >> 1);
   return hn::ShiftLeftSame(hn::ShiftRightSame(hn::Add(v, half), s.dropped_bits),
                            8 - s.fraction_bits);
 }
+
+// What planes change by in the tiles of a group's triangles.
+struct TileSlopes {
+  alignas(64) Each<int64_t> z_dx, z_dy;
+  alignas(64) Each<int64_t> z_fall;  // from a block's first sample to its least one, at most 0
+  // Depths of a tile do not wrap, wherever in it one is in range.
+  alignas(64) Each<int64_t> z_is_flat;
+  alignas(64) Each<std::array<uint32_t, 4> > color_dx, color_dy;  // Pairs
+
+  template <class State>
+  HWY_INLINE TileSlopes(const State& s, const PrimGroup& g) {
+    const hn::Repartition<int64_t, decltype(kLanes)> d;
+    using Words = hn::Vec<decltype(d)>;
+    const Words half = hn::Set(d, (int64_t{1} << s.dropped_bits) >> 1);
+    const int above = 64 - s.depth_plane_bits;
+    const auto kept_of = [&](const int64_t* from) HWY_ATTR {
+      const Words raised = hn::ShiftLeftSame(hn::Add(hn::Load(d, from), half), above);
+      return hn::ShiftRightSame(raised, above + s.dropped_bits);
+    };
+    // A value in range and one less than a quarter of the plane's range away: neither has wrapped,
+    // since of the four quarters a code has the first one above 0, and one is below it.
+    const Words quarter = hn::Set(d, int64_t{1} << (s.depth_plane_bits - s.dropped_bits - 2));
+    const Words zero = hn::Zero(d);
+    for (size_t i = 0; i < kGroup; i += hn::Lanes(d)) {
+      const Words dx = kept_of(g.z_dx.data() + i), dy = kept_of(g.z_dy.data() + i);
+      const Words fall = hn::Add(hn::Min(dx, zero), hn::Min(dy, zero));
+      const Words reach = hn::ShiftLeftSame(hn::Add(hn::Abs(dx), hn::Abs(dy)), s.tile_log2);
+      hn::Store(dx, d, z_dx.data() + i);
+      hn::Store(dy, d, z_dy.data() + i);
+      hn::Store(hn::Sub(hn::ShiftLeft<3>(fall), fall), d, z_fall.data() + i);
+      hn::Store(hn::VecFromMask(d, hn::Lt(reach, quarter)), d, z_is_flat.data() + i);
+    }
+    constexpr size_t kTriangles = hn::MaxLanes(kCodes) / 4;
+    for (size_t i = 0; i < kGroup; i += kTriangles) {
+      const auto pairs_at = [&](const std::array<uint32_t, 4>& from) HWY_ATTR {
+        return pairs_of(kCodes, in_tile(s, kCodes, hn::Load(kCodes, from.data())));
+      };
+      hn::Store(pairs_at(g.color_dx[i]), kCodes, color_dx[i].data());
+      hn::Store(pairs_at(g.color_dy[i]), kCodes, color_dy[i].data());
+    }
+  }
+};
+static_assert(kBlockPx == 8);
 
 // ---- Blocks
 
 // What a triangle is drawn with, all of its blocks.
 struct Triangle {
+  const PrimGroup& group;
+  const TileSlopes& tile;
+  size_t i;  // of the group
   std::array<EdgeSlope, 3> edge;
   CodeSlope z;
   PairSlope low, high;
-  DepthPlane depth;
-  ColorPlanes color;
+
+  template <class State>
+  HWY_INLINE Triangle(const State& s, const PrimGroup& g, const TileSlopes& slopes, size_t number)
+      : group(g),
+        tile(slopes),
+        i(number),
+        edge{EdgeSlope(g.a[0][i], g.b[0][i]), EdgeSlope(g.a[1][i], g.b[1][i]),
+             EdgeSlope(g.a[2][i], g.b[2][i])},
+        z(top_of(s, tile.z_dx[i]), top_of(s, tile.z_dy[i])),
+        low(tile.color_dx[i][0], tile.color_dy[i][0]),
+        high(tile.color_dx[i][1], tile.color_dy[i][1]) {}
+
+  // A depth with its code at the top of a lane.
+  template <class State>
+  static HWY_INLINE uint32_t top_of(const State& s, int64_t value) {
+    return static_cast<uint32_t>(value) << (32 - s.depth_bits - s.fraction_bits);
+  }
+  // Depth and colours at the first sample of the tile across, down px from the first one.
+  template <class State>
+  HWY_INLINE int64_t depth_at(const State& s, int across, int down) const {
+    const auto x = static_cast<uint64_t>(across), y = static_cast<uint64_t>(down);
+    return kept(static_cast<uint64_t>(group.z_ref[i]) + static_cast<uint64_t>(group.z_dx[i]) * x +
+                    static_cast<uint64_t>(group.z_dy[i]) * y,
+                s.depth_plane_bits, s.dropped_bits);
+  }
+  template <class State>
+  HWY_INLINE Pairs colors_at(const State& s, int across, int down) const {
+    const hn::FixedTag<uint32_t, 4> d;
+    auto v = hn::Load(d, group.color_ref[i].data());
+    if ((across | down) != 0) {
+      const auto x = hn::Set(d, static_cast<uint32_t>(across));
+      const auto y = hn::Set(d, static_cast<uint32_t>(down));
+      v = hn::Add(v, hn::Add(hn::Mul(hn::Load(d, group.color_dx[i].data()), x),
+                             hn::Mul(hn::Load(d, group.color_dy[i].data()), y)));
+    }
+    // Half a code is added, since the code is rounded.
+    const auto pairs = pairs_of(d, hn::Add(in_tile(s, d, v), hn::Set(d, 0x80)));
+    return {hn::GetLane(pairs), hn::ExtractLane(pairs, 1)};
+  }
 };
 
 // A block of a tile: E' and values at the block's first sample.
@@ -289,8 +339,7 @@ struct Cursor {
         low(hn::Add(block.low, t.low.lanes)),
         high(hn::Add(block.high, t.high.lanes)) {
     const int64_t half = (int64_t{1} << s.fraction_bits) >> 1;
-    const uint32_t first = static_cast<uint32_t>(block.z + half)
-                           << (32 - s.depth_bits - s.fraction_bits);
+    const uint32_t first = Triangle::top_of(s, block.z + half);
     z = hn::Add(t.z.lanes, hn::Set(kCodes, first + t.z.b * static_cast<uint32_t>(above)));
     if (above == 0) return;
     low = hn::Add(low, PairSlope::times(t.low.b, above));
@@ -367,12 +416,11 @@ HWY_INLINE Outcome draw_block(const State& s, const Triangle& t, const Block& bl
 
 // Is what a triangle has in a block behind all that is stored there?
 template <When Test, class State>
-HWY_INLINE bool is_hidden(const State& s, const DepthPlane& z, int64_t at_block,
-                          uint32_t greatest) {
+HWY_INLINE bool is_hidden(const State& s, const Triangle& t, int64_t at_block, uint32_t greatest) {
   if constexpr (Test != When::kLess && Test != When::kLequal) return false;
   const int64_t half = (int64_t{1} << s.fraction_bits) >> 1;
-  const int64_t least = (at_block + z.block_fall + half) >> s.fraction_bits;
-  return z.is_flat && (Test == When::kLess ? least >= greatest : least > greatest);
+  const int64_t least = (at_block + t.tile.z_fall[t.i] + half) >> s.fraction_bits;
+  return t.tile.z_is_flat[t.i] != 0 && (Test == When::kLess ? least >= greatest : least > greatest);
 }
 
 HWY_INLINE uint64_t ones(uint64_t bits) {
@@ -405,27 +453,37 @@ HWY_INLINE void count(const State& s, const Outcome& outcome, BlockCounts* count
   }
 }
 
-// One block of the tile at left, top: i, j px from its corner. `color`: at the tile's first sample.
+// A tile of a triangle that no edge rejects.
+struct Tile {
+  const TileSteps& steps;
+  bool accepted;
+  int64_t z;         // at its first sample
+  int left, top;     // px
+  int across, down;  // px from the first tile
+};
+
+// The block i, j px from the tile's corner, of whose samples `box` are in the triangle's box.
 template <When Test, class State>
-HWY_INLINE void draw_block_of(const State& s, const EdgePrim& prim, const Triangle& t,
-                              const TileSteps& tile, int i, int j, uint64_t box, int64_t z_of_tile,
-                              Pairs color, size_t number, BlockBuffer* buffer,
-                              BlockCounts* counts) {
+HWY_INLINE void draw_block_of(const State& s, const Triangle& t, const Tile& tile, int i, int j,
+                              uint64_t box, BlockBuffer* buffer, BlockCounts* counts) {
   Block block;
-  block.z = z_of_tile + t.depth.tile_dx * i + t.depth.tile_dy * j;
+  block.z = tile.z;
   block.box = box;
-  block.is_inside = tile.accepted();
-  const bool hidden = is_hidden<Test>(s, t.depth, block.z, buffer->greatest[number]);
+  block.is_inside = tile.accepted;
+  if (s.tile_log2 > 3) block.z += t.tile.z_dx[t.i] * i + t.tile.z_dy[t.i] * j;
+  const size_t number = buffer->block(tile.left + i, tile.top + j);
+  const bool hidden = is_hidden<Test>(s, t, block.z, buffer->greatest[number]);
   if (hidden && block.is_inside && !s.counts_hits) {
     counts->fragments += ones(box);
     counts->stamps += stamps_of(s, box);
     return;
   }
-  const EdgeValues e = tile.lowered();
+  const EdgeValues e = tile.steps.lowered();
   for (size_t k = 0; k < 3; ++k) {
-    block.e[k] = static_cast<int32_t>(e[k] + prim.edge[k].a * i + prim.edge[k].b * j);
+    block.e[k] = static_cast<int32_t>(e[k]) + t.edge[k].a * i + t.edge[k].b * j;
   }
   if (hidden) return count(s, draw_block<Test, true>(s, t, block, number, buffer), counts);
+  const Pairs color = t.colors_at(s, tile.across, tile.down);
   block.low = PairSlope::repeat(color.low);
   block.high = PairSlope::repeat(color.high);
   if (s.tile_log2 > 3) {
@@ -440,34 +498,28 @@ HWY_INLINE void draw_block_of(const State& s, const EdgePrim& prim, const Triang
 
 template <When Test, class State>
 HWY_INLINE void draw_tile(const State& s, const EdgePrim& prim, const Triangle& t,
-                          const TileSteps& tile, BlockBuffer* buffer, BlockCounts* counts) {
+                          const TileSteps& steps, BlockBuffer* buffer, BlockCounts* counts) {
   const int side = 1 << s.tile_log2;
-  const int left = tile.x() << s.tile_log2, top = tile.y() << s.tile_log2;
+  Tile tile{steps,
+            steps.accepted(),
+            0,
+            steps.x() << s.tile_log2,
+            steps.y() << s.tile_log2,
+            (steps.x() - (prim.x0 >> s.tile_log2)) << s.tile_log2,
+            (steps.y() - (prim.y0 >> s.tile_log2)) << s.tile_log2};
+  counts->tiles_accepted += tile.accepted ? 1 : 0;
+  if constexpr (Test != When::kAlways) tile.z = t.depth_at(s, tile.across, tile.down);
   // The box, from the tile's corner.
-  const int x0 = std::max(prim.x0 - left, 0), x1 = std::min(prim.x1 - left, side - 1);
-  const int y0 = std::max(prim.y0 - top, 0), y1 = std::min(prim.y1 - top, side - 1);
-  counts->tiles_accepted += tile.accepted() ? 1 : 0;
-  const auto across = static_cast<uint64_t>(left - (prim.x0 >> s.tile_log2 << s.tile_log2));
-  const auto down = static_cast<uint64_t>(top - (prim.y0 >> s.tile_log2 << s.tile_log2));
-  const int64_t z = Test == When::kAlways
-                        ? 0
-                        : kept(t.depth.ref + t.depth.dx * across + t.depth.dy * down,
-                               s.depth_plane_bits, s.dropped_bits);
-  const Channels at_tile = hn::Add(
-      t.color.ref, hn::Add(hn::Mul(t.color.dx, hn::Set(kChannels, static_cast<uint32_t>(across))),
-                           hn::Mul(t.color.dy, hn::Set(kChannels, static_cast<uint32_t>(down)))));
-  // Half a code is added, since the code is rounded.
-  const Pairs color = pairs_of(hn::Add(in_tile(s, at_tile), hn::Set(kChannels, 0x80)));
+  const int x0 = std::max(prim.x0 - tile.left, 0), x1 = std::min(prim.x1 - tile.left, side - 1);
+  const int y0 = std::max(prim.y0 - tile.top, 0), y1 = std::min(prim.y1 - tile.top, side - 1);
   if (s.tile_log2 == 3) {
-    return draw_block_of<Test>(s, prim, t, tile, 0, 0, box_of(x0, y0, x1, y1), z, color,
-                               buffer->block(left, top), buffer, counts);
+    return draw_block_of<Test>(s, t, tile, 0, 0, box_of(x0, y0, x1, y1), buffer, counts);
   }
   for (int j = y0 & -kBlockPx; j <= y1; j += kBlockPx) {
     for (int i = x0 & -kBlockPx; i <= x1; i += kBlockPx) {
       const uint64_t box = box_of(std::max(x0 - i, 0), std::max(y0 - j, 0),
                                   std::min(x1 - i, kBlockPx - 1), std::min(y1 - j, kBlockPx - 1));
-      draw_block_of<Test>(s, prim, t, tile, i, j, box, z, color, buffer->block(left + i, top + j),
-                          buffer, counts);
+      draw_block_of<Test>(s, t, tile, i, j, box, buffer, counts);
     }
   }
 }
@@ -475,23 +527,11 @@ HWY_INLINE void draw_tile(const State& s, const EdgePrim& prim, const Triangle& 
 template <When Test, class State>
 HWY_INLINE void draw(const State& s, const PrimGroup& group, BlockBuffer* buffer,
                      BlockCounts* counts) {
-  const int raise = 32 - s.depth_bits - s.fraction_bits;
+  const TileSlopes slopes(s, group);
   for (uint32_t left = group.drawn; left != 0; left &= left - 1) {
     const auto i = static_cast<size_t>(__builtin_ctz(left));
     const EdgePrim prim(group, i);
-    DepthPlane depth{};
-    if constexpr (Test != When::kAlways) depth = depth_plane(s, group, i);
-    const ColorPlanes color = color_planes(group, i);
-    const Pairs dx = pairs_of(in_tile(s, color.dx)), dy = pairs_of(in_tile(s, color.dy));
-    const Triangle t{
-        {EdgeSlope(group.a[0][i], group.b[0][i]), EdgeSlope(group.a[1][i], group.b[1][i]),
-         EdgeSlope(group.a[2][i], group.b[2][i])},
-        CodeSlope(static_cast<uint32_t>(depth.tile_dx) << raise,
-                  static_cast<uint32_t>(depth.tile_dy) << raise),
-        PairSlope(dx.low, dy.low),
-        PairSlope(dx.high, dy.high),
-        depth,
-        color};
+    const Triangle t(s, group, slopes, i);
     TileSteps tile;
     tile.begin(prim, s.tile_log2, s.rows);
     while (!tile.ended()) {
