@@ -1,7 +1,7 @@
 // Triangles of a scene on their way into a model, with the time that reading them takes kept apart.
 #pragma once
 
-#include <deque>
+#include <type_traits>
 #include <vector>
 
 #include "cli/output.h"
@@ -70,7 +70,7 @@ inline auto pull_from(const std::vector<spec::Triangle>& triangles) {
 }
 
 /// Seconds of a frame, reading left out: the median of `runs` in memory, or one run straight from
-/// the scene when `runs` is 0. run(pull) draws a frame.
+/// the scene when `runs` is 0. run(pull) draws a frame; run(triangles) too where it is there.
 template <class Run>
 double frame_seconds(const scene::Scene& scene, int runs, Progress* progress, const char* phase,
                      Run run) {
@@ -83,7 +83,13 @@ double frame_seconds(const scene::Scene& scene, int runs, Progress* progress, co
   const auto triangles = load_all(scene.source.get(), progress);
   std::vector<double> seconds;
   for (int i = 0; i < runs; ++i) {
-    seconds.push_back(seconds_of([&] { run(pull_from(triangles)); }));
+    seconds.push_back(seconds_of([&] {
+      if constexpr (std::is_invocable_v<Run, const std::vector<spec::Triangle>&>) {
+        run(triangles);
+      } else {
+        run(pull_from(triangles));
+      }
+    }));
   }
   return median(seconds);
 }

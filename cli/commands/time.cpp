@@ -39,7 +39,7 @@ int run(const TimeOptions& options) {
   timing::FrameResult result;
   const double seconds = frame_seconds(
       scene, options.bench, &progress, "timing",
-      [&](const timing::Pull& pull) { result = top->run(scene.frame, pull, seeing.listener()); });
+      [&](const auto& from) { result = top->run(scene.frame, from, seeing.listener()); });
   progress.clear();
   print_notes(output, job);
 

@@ -549,12 +549,14 @@ HWY_INLINE void draw(const State& s, const PrimGroup& group, BlockBuffer* buffer
 
 // What most frames are drawn with, as constants.
 struct CommonState {
+  // NOLINTBEGIN(readability-identifier-naming): those of BlockState
   static constexpr int tile_log2 = 3;
   static constexpr int stamp_width_log2 = 1, stamp_height_log2 = 1;
   static constexpr bool writes_depth = true, counts_hits = false;
   static constexpr int channels = 4;
   static constexpr int depth_bits = 24;
   static constexpr int depth_plane_bits = 44, dropped_bits = 10, fraction_bits = 8;
+  // NOLINTEND(readability-identifier-naming)
   core::TileRows rows;
   core::PassesWhen when;
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <string>
 
 #include "model/spec/structs.h"
@@ -31,13 +32,15 @@ class TriangleRange {
       least_shift = shift < least_shift ? shift : least_shift;
     }
     outside |= least_shift & least_shift_;
-    uint32_t attributes = 0;
-    for (size_t a = 0; a < attributes_; ++a) {
-      const auto others = static_cast<uint32_t>(v[1].attr[a] | v[2].attr[a]);
-      attributes |= static_cast<uint32_t>(v[0].attr[a]) & above_first_[a];
-      attributes |= others & above_others_[a];
+    // Four attributes at a time; those that the design does not have may be anything.
+    Four attributes{};
+    for (size_t a = 0; a < attributes_; a += 4) {
+      const Four others = four(v[1].attr.data() + a) | four(v[2].attr.data() + a);
+      attributes |= (four(v[0].attr.data() + a) & four(above_first_.data() + a)) |
+                    (others & four(above_others_.data() + a));
     }
-    return (outside | attributes) == 0;
+    outside |= attributes[0] | attributes[1] | attributes[2] | attributes[3];
+    return outside == 0;
   }
 
   /// The first number outside its range, as "v[1].x: expected -8 to 7, got 9"; empty if there is
@@ -45,6 +48,15 @@ class TriangleRange {
   std::string reason(const Triangle& triangle) const;
 
  private:
+  typedef uint32_t Four __attribute__((vector_size(16)));
+  static_assert(kMaxAttributes % 4 == 0);
+  template <class Number>
+  static Four four(const Number* from) {
+    Four numbers;
+    std::memcpy(&numbers, from, sizeof numbers);
+    return numbers;
+  }
+
   Design design_;
   // The bits that must be 0; none of a number that the design does not have.
   uint32_t half_;  // of the coordinates' range
