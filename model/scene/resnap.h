@@ -33,6 +33,7 @@ class Unsnapped final : public ScreenReader {
   }
   void rewind() override { source_->rewind(); }
   std::optional<uint64_t> size() const override { return source_->size(); }
+  std::optional<uint64_t> stream_bytes() const override { return source_->stream_bytes(); }
   uint64_t skip(uint64_t triangles) override { return source_->skip(triangles); }
 
  private:

@@ -34,10 +34,18 @@ class ScreenReader {
  public:
   virtual ~ScreenReader() = default;
   virtual bool read(ScreenTriangle* triangle, Counters* counters) = 0;
+  /// Up to `count` triangles, as read() would give them one by one; fewer only at the end.
+  virtual size_t read_many(ScreenTriangle* triangles, size_t count, Counters* counters) {
+    size_t filled = 0;
+    while (filled < count && read(&triangles[filled], counters)) ++filled;
+    return filled;
+  }
   virtual void rewind() = 0;
 
   /// Triangles of the scene, if that is known without reading it.
   virtual std::optional<uint64_t> size() const { return std::nullopt; }
+  /// Bytes of a stream of triangles, which is read while they are drawn; none of other scenes.
+  virtual std::optional<uint64_t> stream_bytes() const { return std::nullopt; }
   /// Skips a number of triangles, after discarding the remaining pieces of the current one. Skipped
   /// triangles are not counted, and read only as far as needed to find the next one. Returns how
   /// many were skipped: fewer at the end. This default is for readers that give no pieces.

@@ -40,30 +40,32 @@ class SnappedSource final : public TriangleSource {
  public:
   /// Counters begin at `start`, which has what was found in the scene's state.
   SnappedSource(const spec::Contract& contract, std::unique_ptr<ScreenReader> reader,
-                const Counters& start = {})
-      : contract_(contract), reader_(std::move(reader)), start_(start) {
-    counters_ = start_;
-  }
+                const Counters& start = {});
 
   const spec::Contract& contract() const { return contract_; }
   bool next(spec::Triangle* triangle) override;
+  size_t next_many(spec::Triangle* triangles, size_t count) override;
   void rewind() override;
 
   /// Triangles of the scene as read, if that is known without reading it.
   std::optional<uint64_t> size() const { return reader_->size(); }
+  /// See ScreenReader::stream_bytes().
+  std::optional<uint64_t> stream_bytes() const { return reader_->stream_bytes(); }
   /// Skips triangles of the reader without counting them: see ScreenReader::skip().
   uint64_t skip(uint64_t triangles) { return reader_->skip(triangles); }
 
-  /// The floats that the last triangle was snapped from.
+  /// The floats that the last triangle of next() was snapped from.
   const ScreenTriangle& screen() const { return screen_; }
 
  private:
-  spec::Vertex snap(const ScreenVertex& vertex);
+  bool snap(const ScreenTriangle& screen, spec::Triangle* triangle);
 
   spec::Contract contract_;
   std::unique_ptr<ScreenReader> reader_;
   Counters start_;
   ScreenTriangle screen_;
+  size_t colors_;  // of the four that a vertex has, those that the design takes
+  std::array<int32_t, 256> color_codes_;  // of a byte
 };
 
 }  // namespace pineda::scene

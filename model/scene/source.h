@@ -1,6 +1,7 @@
 // A scene as a stream of snapped triangles, with counters of what was changed or dropped.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "model/spec/structs.h"
@@ -35,6 +36,8 @@ class TriangleSource {
 
   /// False at the end; *triangle is then unchanged.
   virtual bool next(spec::Triangle* triangle) = 0;
+  /// Up to `count` triangles, as next() would give them one by one; fewer only at the end.
+  virtual size_t next_many(spec::Triangle* triangles, size_t count) = 0;
 
   /// Starts again from the first triangle and resets the counters.
   virtual void rewind() = 0;

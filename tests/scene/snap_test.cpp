@@ -87,7 +87,7 @@ void expect_like_exact(const spec::Contract& c, float value) {
 
 TEST(Snap, EveryBorderRoundsLikeTheJudge) {
   for (const int subpixel_bits : {4, 8, 12}) {
-    for (const int depth_bits : {16, 24}) {
+    for (const int depth_bits : {16, 24, 30, 31, 32}) {
       const auto c = contract_of(subpixel_bits, depth_bits);
       for (const float value : interesting()) expect_like_exact(c, value);
     }
@@ -166,6 +166,65 @@ TEST(SnappedSource, NanInEachComponentDropsTheTriangleAndKeepsTheNumbers) {
     EXPECT_EQ(source.counters().saturated, 0u);
     source.rewind();
     EXPECT_EQ(source.counters().triangles, 0u);
+  }
+}
+
+// Any bits at all, NaNs and infinities among them, but for W, which a reader refuses.
+std::vector<ScreenTriangle> any_triangles(size_t count) {
+  spec::Random random(7);
+  std::vector<ScreenTriangle> list(count);
+  for (size_t i = 0; i < count; ++i) {
+    list[i].id = static_cast<uint32_t>(i);
+    for (ScreenVertex& v : list[i].v) {
+      for (float* value : {&v.x, &v.y, &v.z}) {
+        const bool is_usual = random.between(0, 15) > 0;
+        const auto bits = static_cast<uint32_t>(random.bits());
+        *value = is_usual ? random.uniform(-1, 2) : from_bits(bits);
+      }
+      v.w = random.coin() ? 1 : random.uniform(.1f, 10);
+      for (uint8_t& byte : v.rgba) byte = static_cast<uint8_t>(random.bits());
+    }
+    if (i % 50 == 0) list[i].v[i % 3].z = kNan;
+  }
+  return list;
+}
+
+void expect_equal(const spec::Triangle& a, const spec::Triangle& b) {
+  ASSERT_EQ(a.id, b.id);
+  for (size_t i = 0; i < 3; ++i) {
+    ASSERT_EQ(a.v[i].x, b.v[i].x) << a.id;
+    ASSERT_EQ(a.v[i].y, b.v[i].y) << a.id;
+    ASSERT_EQ(a.v[i].z, b.v[i].z) << a.id;
+    ASSERT_EQ(a.v[i].attr, b.v[i].attr) << a.id;
+    ASSERT_EQ(a.v[i].inverse_w, b.v[i].inverse_w) << a.id;
+    ASSERT_EQ(a.v[i].inverse_w_shift, b.v[i].inverse_w_shift) << a.id;
+  }
+}
+
+TEST(SnappedSource, GivesManyAtOnceAsOneByOne) {
+  const auto list = any_triangles(1000);
+  SnappedSource source(kContract, std::make_unique<ListReader>(list));
+  const auto one_by_one = all_triangles(&source);
+  const Counters counted = source.counters();
+  EXPECT_GT(counted.nan_dropped, 19u);
+  for (const size_t count : {1u, 63u, 64u, 65u, 1000u, 5000u}) {
+    source.rewind();
+    // What the array held before does not show.
+    spec::Triangle other;
+    for (spec::Vertex& v : other.v) v.attr.fill(9);
+    std::vector<spec::Triangle> chunk(count, other);
+    size_t at = 0;
+    for (size_t got = count; got == count; at += got) {
+      got = source.next_many(chunk.data(), count);
+      ASSERT_LE(at + got, one_by_one.size());
+      for (size_t i = 0; i < got; ++i) expect_equal(chunk[i], one_by_one[at + i]);
+    }
+    EXPECT_EQ(at, one_by_one.size());
+    EXPECT_EQ(source.next_many(chunk.data(), count), 0u);
+    for (const auto member : {&Counters::triangles, &Counters::nan_dropped, &Counters::saturated,
+                              &Counters::z_clamped, &Counters::denormals, &Counters::perspective}) {
+      EXPECT_EQ(source.counters().*member, counted.*member);
+    }
   }
 }
 

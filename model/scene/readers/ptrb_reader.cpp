@@ -134,36 +134,69 @@ void PtrbReader::check_end() {
   }
 }
 
-ScreenVertex PtrbReader::vertex(const unsigned char* bytes, size_t corner,
-                                Counters* counters) const {
-  const size_t vertex_bytes = header_.triangle_bytes() / 3;
-  const unsigned char* p = bytes + corner * vertex_bytes;
-  ScreenVertex v;
-  v.x = f32_at(p);
-  v.y = f32_at(p + 4);
-  v.z = f32_at(p + 8);
-  if (header_.has_w) v.w = f32_at(p + 12);
-  if (!std::isnan(v.w) && !(std::isnormal(v.w) && v.w > 0)) {
-    throw InputError(file_, fmt::format("triangle {} vertex {}: expected W > 0, neither denormal "
-                                        "nor infinite, got {}",
-                                        next_, corner, v.w));
-  }
-  counters->perspective += v.w != 1 && !std::isnan(v.w) ? 1 : 0;
-  std::copy_n(p + vertex_bytes - 4, 4, v.rgba.begin());
-  return v;
+void PtrbReader::refuse_w(float w, uint64_t triangle, size_t corner) const {
+  throw InputError(file_, fmt::format("triangle {} vertex {}: expected W > 0, neither denormal nor "
+                                      "infinite, got {}",
+                                      triangle, corner, w));
 }
 
-bool PtrbReader::read(ScreenTriangle* triangle, Counters* counters) {
-  if (next_ == header_.triangles) {
-    check_end();
-    return false;
+// Decodes triangles from the buffer, which has as many.
+template <bool HasW>
+void PtrbReader::decode(size_t count, ScreenTriangle* triangles, Counters* counters) {
+  const unsigned char* p = &buffer_[position_];
+  uint64_t perspective = 0;
+  for (size_t i = 0; i < count; ++i) {
+    ScreenTriangle& triangle = triangles[i];
+    triangle.id = static_cast<uint32_t>(next_ + i);
+    for (size_t corner = 0; corner < 3; ++corner) {
+      ScreenVertex& v = triangle.v[corner];
+      v.x = f32_at(p);
+      v.y = f32_at(p + 4);
+      v.z = f32_at(p + 8);
+      v.w = HasW ? f32_at(p + 12) : 1;
+      p += HasW ? 16 : 12;
+      if (HasW && !(std::isnormal(v.w) && v.w > 0) && !std::isnan(v.w)) {
+        refuse_w(v.w, next_ + i, corner);
+      }
+      perspective += v.w != 1 && !std::isnan(v.w) ? 1 : 0;
+      std::memcpy(v.rgba.data(), p, v.rgba.size());
+      p += v.rgba.size();
+    }
   }
-  if (position_ == buffer_.size()) refill();
-  for (size_t i = 0; i < 3; ++i) triangle->v[i] = vertex(&buffer_[position_], i, counters);
-  position_ += header_.triangle_bytes();
-  triangle->id = static_cast<uint32_t>(next_++);
-  ++counters->triangles;
-  return true;
+  next_ += count;
+  position_ += count * header_.triangle_bytes();
+  counters->perspective += perspective;
+  counters->triangles += count;
+}
+
+size_t PtrbReader::read_many(ScreenTriangle* triangles, size_t count, Counters* counters) {
+  size_t filled = 0;
+  while (filled < count) {
+    if (next_ == header_.triangles) {
+      check_end();
+      break;
+    }
+    if (position_ == buffer_.size()) refill();
+    const size_t now =
+        std::min(count - filled, (buffer_.size() - position_) / header_.triangle_bytes());
+    if (header_.has_w) {
+      decode<true>(now, &triangles[filled], counters);
+    } else {
+      decode<false>(now, &triangles[filled], counters);
+    }
+    filled += now;
+  }
+  return filled;
+}
+
+// The stream's own ignore() takes byte by byte from standard input.
+void PtrbReader::discard(uint64_t bytes) {
+  if (bytes == 0) return;
+  buffer_.resize(kBufferTriangles * header_.triangle_bytes());
+  position_ = buffer_.size();
+  for (size_t got = buffer_.size(); bytes > 0 && got == buffer_.size(); bytes -= got) {
+    got = read_bytes(*stream_, file_, buffer_.data(), std::min<uint64_t>(bytes, buffer_.size()));
+  }
 }
 
 uint64_t PtrbReader::skip(uint64_t triangles) {
@@ -171,11 +204,11 @@ uint64_t PtrbReader::skip(uint64_t triangles) {
   const uint64_t buffered =
       std::min<uint64_t>(skipped, (buffer_.size() - position_) / header_.triangle_bytes());
   position_ += static_cast<size_t>(buffered) * header_.triangle_bytes();
-  const auto bytes = static_cast<std::streamsize>((skipped - buffered) * header_.triangle_bytes());
+  const uint64_t bytes = (skipped - buffered) * header_.triangle_bytes();
   if (can_rewind_) {
-    stream_->seekg(bytes, std::ios::cur);
+    stream_->seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
   } else {
-    stream_->ignore(bytes);  // reading the next triangle reports a premature end
+    discard(bytes);  // reading the next triangle reports a premature end
   }
   next_ += skipped;
   return skipped;

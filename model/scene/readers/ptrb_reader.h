@@ -22,7 +22,7 @@ struct PtrbHeader {
   uint64_t file_bytes() const { return kBytes + triangles * triangle_bytes(); }
 };
 
-/// Reads triangle by triangle, in bounded memory whatever the count.
+/// Reads many triangles at once, in bounded memory whatever the count.
 ///
 /// In       a stream at its first byte. With `bytes`, its length, the count is checked at once and
 ///          rewind() works. Without it the stream is a pipe: a wrong count is found at its end, and
@@ -34,16 +34,23 @@ class PtrbReader final : public ScreenReader {
              std::shared_ptr<std::istream> stream, std::optional<uint64_t> bytes);
 
   const spec::FrameState& frame() const { return header_.frame; }
-  bool read(ScreenTriangle* triangle, Counters* counters) override;
+  bool read(ScreenTriangle* triangle, Counters* counters) override {
+    return read_many(triangle, 1, counters) == 1;
+  }
+  size_t read_many(ScreenTriangle* triangles, size_t count, Counters* counters) override;
   void rewind() override;
   std::optional<uint64_t> size() const override { return header_.triangles; }
+  std::optional<uint64_t> stream_bytes() const override { return header_.file_bytes(); }
   /// Seeks if the stream is a file.
   uint64_t skip(uint64_t triangles) override;
 
  private:
   void refill();
   void check_end();
-  ScreenVertex vertex(const unsigned char* bytes, size_t corner, Counters* counters) const;
+  void discard(uint64_t bytes);
+  template <bool HasW>
+  void decode(size_t count, ScreenTriangle* triangles, Counters* counters);
+  [[noreturn]] void refuse_w(float w, uint64_t triangle, size_t corner) const;
 
   std::string file_;
   std::shared_ptr<std::istream> stream_;

@@ -155,6 +155,44 @@ TEST(PtrbReader, PipeIsFoundTruncatedOrTooLongAtItsEnd) {
                                "standard input: expected 1 triangles, got bytes after them"));
 }
 
+// The number is the triangle's, wherever it lies in what is read at once.
+TEST(PtrbReader, NamesTheTriangleWhoseWIsRefused) {
+  for (const uint64_t bad : {0u, 63u, 64u, 1023u, 1024u, 2999u}) {
+    std::string bytes = header(8, 8, 1, 3000);
+    for (uint64_t i = 0; i < 3000; ++i)
+      bytes += i == bad ? with_w(-1).substr(28) : kGood.substr(28);
+    std::istringstream stream(bytes);
+    const auto opened = open_scene(kContract, "-", from(&stream));
+    std::vector<spec::Triangle> all(3000);
+    try {
+      opened.source->next_many(all.data(), all.size());
+      FAIL() << "expected an exception";
+    } catch (const InputError& error) {
+      EXPECT_TRUE(is_one_line_with(
+          error.what(), "standard input: triangle " + std::to_string(bad) + " vertex 1"));
+    }
+  }
+}
+
+TEST(PtrbReader, ManyAtOnceFindATruncatedOrTooLongPipe) {
+  const auto error_of_many = [](const std::string& bytes) {
+    std::istringstream stream(bytes);
+    const auto opened = open_scene(kContract, "-", from(&stream));
+    std::vector<spec::Triangle> all(5);
+    try {
+      while (opened.source->next_many(all.data(), all.size()) > 0) continue;
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(error_of_many(kGood), "");
+  EXPECT_TRUE(is_one_line_with(error_of_many(header(8, 8, 1, 2) + body(kTriangle, true) + "abc"),
+                               "standard input: expected 2 triangles, got 1"));
+  EXPECT_TRUE(is_one_line_with(error_of_many(kGood + "x"),
+                               "standard input: expected 1 triangles, got bytes after them"));
+}
+
 TEST(PtrbReader, PipeRewindsOnlyWithMultiPass) {
   std::istringstream once(kGood);
   const auto single = open_scene(kContract, "-", from(&once));
