@@ -17,17 +17,20 @@ struct RenderOptions : Options {
   int threads = 1;
 };
 
-double draw_once(const scene::Scene& scene, Progress* progress, fast::BandRenderer* renderer) {
-  ChunkedTriangles triangles(scene.source.get(), progress, "drawing");
-  double seconds = 0;
-  for (auto* chunk = &triangles.next_chunk(); !chunk->empty(); chunk = &triangles.next_chunk()) {
-    seconds += seconds_of([&] { renderer->draw(*chunk); });
-  }
+FrameSeconds draw_once(const scene::Scene& scene, Progress* progress,
+                       fast::BandRenderer* renderer) {
+  FrameSeconds seconds;
+  seconds.stream = seconds_of([&] {
+    ChunkedTriangles triangles(scene.source.get(), progress, "drawing");
+    for (auto* chunk = &triangles.next_chunk(); !chunk->empty(); chunk = &triangles.next_chunk()) {
+      seconds.drawing += seconds_of([&] { renderer->draw(*chunk); });
+    }
+  });
   return seconds;
 }
 
-double draw_repeatedly(const scene::Scene& scene, const spec::Contract& contract, int runs,
-                       Progress* progress, fast::BandRenderer* renderer) {
+FrameSeconds draw_repeatedly(const scene::Scene& scene, const spec::Contract& contract, int runs,
+                             Progress* progress, fast::BandRenderer* renderer) {
   fast::TriangleList triangles(contract);
   ChunkedTriangles source(scene.source.get(), progress, "loading");
   for (spec::Triangle triangle; source.next(&triangle);) triangles.push_back(triangle);
@@ -38,7 +41,16 @@ double draw_repeatedly(const scene::Scene& scene, const spec::Contract& contract
       renderer->draw(triangles);
     }));
   }
-  return median(seconds);
+  return {median(seconds), std::nullopt};
+}
+
+// A frame that nobody looks at takes no memory a second time.
+void write_frame(const RenderOptions& options, const spec::Contract& contract,
+                 const fast::BandRenderer& renderer) {
+  if (options.out.empty() && options.dump.empty()) return;
+  const scene::Frame frame = picture_of(contract, renderer.buffer());
+  if (!options.out.empty()) write_pictures(options.out, frame);
+  if (!options.dump.empty()) scene::write_dump(options.dump, frame);
 }
 
 int run(const RenderOptions& options) {
@@ -50,19 +62,16 @@ int run(const RenderOptions& options) {
   using Hits = fast::Renderer::Hits;
   fast::BandRenderer renderer(contract, scene.frame, options.threads,
                               options.dump.empty() ? Hits::kUncounted : Hits::kCounted);
-  const double seconds = options.bench > 0
-                             ? draw_repeatedly(scene, contract, options.bench, &progress, &renderer)
-                             : draw_once(scene, &progress, &renderer);
+  const FrameSeconds seconds =
+      options.bench > 0 ? draw_repeatedly(scene, contract, options.bench, &progress, &renderer)
+                        : draw_once(scene, &progress, &renderer);
   progress.clear();
   print_notes(output, job);
 
-  const scene::Frame frame = picture_of(contract, renderer.buffer());
-  if (!options.out.empty()) write_pictures(options.out, frame);
-  if (!options.dump.empty()) scene::write_dump(options.dump, frame);
-
+  write_frame(options, contract, renderer);
   const core::FrameCounters counters = renderer.counters();
   Json json = header_json(scene, contract);
-  json["seconds"] = seconds;
+  json["seconds"] = seconds.drawing;
   json["triangles"] = scene.source->counters().triangles;
   json["threads"] = options.threads;
   json["input"] = input_json(scene.source->counters());
@@ -72,9 +81,10 @@ int run(const RenderOptions& options) {
   print_state(output, scene);
   print_counters(output, counters);
   output.row("seconds",
-             fmt::format("{:.6f}{}", seconds,
+             fmt::format("{:.6f}{}", seconds.drawing,
                          options.bench > 1 ? fmt::format(" (median of {})", options.bench)
                                            : std::string()));
+  report_stream(scene, seconds, output, &json);
   if (!options.out.empty()) output.row("pictures", options.out + "/color.png, depth.png");
   if (!options.dump.empty()) {
     output.row("dump", options.dump + "/hits.u16, depth.u32, color.rgba");

@@ -74,11 +74,11 @@ int run(const RtlOptions& options) {
   timing::Listener* const listener = options.dump.empty() ? nullptr : &looks;
   double seconds = 0;
   if (options.bench > 0) {
-    seconds = frame_seconds(scene, options.bench, &progress, "RTL", run_frame(nullptr));
+    seconds = frame_seconds(scene, options.bench, &progress, "RTL", run_frame(nullptr)).drawing;
   }
   if (options.bench == 0 || listener != nullptr) {
     if (options.bench > 0) scene.source->rewind();
-    const double once = frame_seconds(scene, 0, &progress, "RTL", run_frame(listener));
+    const double once = frame_seconds(scene, 0, &progress, "RTL", run_frame(listener)).drawing;
     if (options.bench == 0) seconds = once;
   }
   progress.clear();

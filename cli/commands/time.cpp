@@ -37,7 +37,7 @@ int run(const TimeOptions& options) {
 
   Seeing seeing(options.seeing, job);
   timing::FrameResult result;
-  const double seconds = frame_seconds(
+  const FrameSeconds seconds = frame_seconds(
       scene, options.bench, &progress, "timing",
       [&](const auto& from) { result = top->run(scene.frame, from, seeing.listener()); });
   progress.clear();
@@ -48,7 +48,7 @@ int run(const TimeOptions& options) {
   if (!options.sample.share.empty()) {
     add_whole(result.spent.drained, scene.source->counters().triangles, &json);
   }
-  json["seconds"] = seconds;
+  json["seconds"] = seconds.drawing;
   json["triangles"] = scene.source->counters().triangles;
   add_memory(&json, options, bench);
   json["input"] = input_json(scene.source->counters());
@@ -62,8 +62,9 @@ int run(const TimeOptions& options) {
   print_memory(output, bench);
   print_counters(output, result.counters, result.knows_passed);
   print_cycles(output, contract, result);
-  output.row("seconds", fmt::format("{:.6f} ({:.2f} M cycles/s)", seconds,
-                                    static_cast<double>(result.cycles) / seconds * 1e-6));
+  output.row("seconds", fmt::format("{:.6f} ({:.2f} M cycles/s)", seconds.drawing,
+                                    static_cast<double>(result.cycles) / seconds.drawing * 1e-6));
+  report_stream(scene, seconds, output, &json);
   seeing.finish(result.spent.drained, output, &json);
   output.json(json);
   return kHolds;

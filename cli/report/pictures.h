@@ -1,21 +1,23 @@
 // A model's memories as the pictures and dumps that scene/ writes.
 #pragma once
 
+#include <utility>
+
 #include "model/core/frame.h"
 #include "model/scene/writers.h"
 
 namespace pineda::cli {
 
-inline scene::Frame picture_of(const spec::Contract& contract, const core::FrameBuffer& buffer) {
+inline scene::Frame picture_of(const spec::Contract& contract, core::FrameBuffer buffer) {
   scene::Frame frame;
   frame.width = buffer.width;
   frame.height = buffer.height;
   frame.attributes = buffer.channels;
   frame.attribute_bits = contract.design.attribute_bits;
   frame.clear_depth = buffer.clear_depth;
-  frame.depth = buffer.depth;
-  frame.color = buffer.color;
-  frame.hits = buffer.hits;
+  frame.depth = std::move(buffer.depth);
+  frame.color = std::move(buffer.color);
+  frame.hits = std::move(buffer.hits);
   return frame;
 }
 

@@ -1,6 +1,8 @@
 #include "model/scene/scene.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <iostream>
@@ -95,12 +97,21 @@ Scene open_tri(const spec::Contract& contract, const std::string& path) {
                  rounded);
 }
 
+// A pipe that holds more lets its two ends work side by side with fewer stops. Where there is no
+// pipe, or the system allows no more, nothing changes.
+void widen_standard_input() {
+#ifdef F_SETPIPE_SZ
+  ::fcntl(STDIN_FILENO, F_SETPIPE_SZ, 1 << 20);
+#endif
+}
+
 Scene open_ptrb(const spec::Contract& contract, const std::string& path, const Options& options) {
   const bool is_standard_input = path == "-";
   const std::string file = is_standard_input ? "standard input" : path;
   std::shared_ptr<std::istream> stream;
   std::optional<uint64_t> bytes;
   if (is_standard_input) {
+    if (options.input == nullptr) widen_standard_input();
     // Not owned, so the deleter does nothing.
     stream = {options.input != nullptr ? options.input : &std::cin, [](std::istream*) {}};
   } else {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "model/scene/read_ahead.h"
 #include "model/spec/random.h"
 
 namespace pineda::studies {
@@ -45,23 +46,75 @@ class Blocks {
   uint64_t stratum_ = 0;
 };
 
+/// The triangles of warm-ups and windows, in order. The others are skipped.
+class SampledTriangles {
+ public:
+  SampledTriangles(scene::SnappedSource* source, const SamplePlan& plan, uint64_t seed)
+      : source_(*source), plan_(plan), blocks_(plan, seed), block_(blocks_.next()) {
+    read();
+  }
+
+  bool next(spec::Triangle* triangle) {
+    while (block_) {
+      read_from(block_->begin - std::min(block_->begin, plan_.warm_up));
+      if (number_ < block_->end) {
+        *triangle = next_;
+        read();
+        return true;
+      }
+      block_ = blocks_.next();
+    }
+    return false;
+  }
+
+ private:
+  void read() { number_ = source_.next(&next_) ? next_.id : plan_.triangles; }
+
+  // Reads up to triangle `number`. Clipped pieces of a triangle share its number; dropped triangles
+  // leave gaps.
+  void read_from(uint64_t number) {
+    while (number_ < number) {
+      if (number_ + 1 < number) source_.skip(number - number_ - 1);
+      read();
+    }
+  }
+
+  scene::SnappedSource& source_;
+  SamplePlan plan_;
+  Blocks blocks_;
+  std::optional<Block> block_;
+  spec::Triangle next_;  // read ahead, not yet handed over
+  uint64_t number_ = 0;  // number of next_; at the end, the number of triangles
+};
+
 /// Feeds warm-ups and windows to the model, and measures by how many cycles each window delays the
-/// cycle in which the pipeline is empty.
+/// cycle in which the pipeline is empty. Triangles are read and skipped while the model works.
 class Sampler {
  public:
   Sampler(const timing::RasterTop& top, scene::SnappedSource* source, const SamplePlan& plan,
           uint64_t seed)
-      : top_(top), source_(*source), plan_(plan), blocks_(plan, seed), block_(blocks_.next()) {
+      : top_(top),
+        plan_(plan),
+        blocks_(plan, seed),
+        block_(blocks_.next()),
+        ahead_(kRing, [source, plan, seed,
+                       triangles = std::optional<SampledTriangles>()](Chunk* chunk) mutable {
+          if (!triangles) triangles.emplace(source, plan, seed);
+          chunk->resize(kChunk);
+          size_t count = 0;
+          while (count < kChunk && triangles->next(&(*chunk)[count])) ++count;
+          chunk->resize(count);
+          return count > 0;
+        }) {
     read();
   }
 
   bool pull(spec::Triangle* triangle) {
     if (simulated_ == 1) started_ = top_.idle_from();
     while (block_) {
-      read_from(block_->begin - std::min(block_->begin, plan_.warm_up));
       if (!begun_ && number_ >= block_->begin && simulated_ > 0) begun_ = top_.idle_from();
       if (number_ < block_->end) {
-        *triangle = next_;
+        *triangle = (*chunk_)[at_++];
         ++simulated_;
         read();
         return true;
@@ -81,7 +134,19 @@ class Sampler {
   const std::vector<SampledWindow>& windows() const { return windows_; }
 
  private:
-  void read() { number_ = source_.next(&next_) ? next_.id : plan_.triangles; }
+  using Chunk = std::vector<spec::Triangle>;
+  static constexpr size_t kRing = 3;
+  static constexpr size_t kChunk = kLongestWindow + kWarmUp;
+
+  // Looks at the next triangle; at the end its number is that of all triangles.
+  void read() {
+    if (chunk_ != nullptr && at_ == chunk_->size()) chunk_ = nullptr;
+    if (chunk_ == nullptr) {
+      chunk_ = ahead_.next();
+      at_ = 0;
+    }
+    number_ = chunk_ != nullptr ? (*chunk_)[at_].id : plan_.triangles;
+  }
 
   void end_window() {
     const timing::Cycle now = top_.idle_from();
@@ -91,27 +156,19 @@ class Sampler {
     block_ = blocks_.next();
   }
 
-  // Reads up to triangle `number`. Clipped pieces of a triangle share its number; dropped triangles
-  // leave gaps.
-  void read_from(uint64_t number) {
-    while (number_ < number) {
-      if (number_ + 1 < number) source_.skip(number - number_ - 1);
-      read();
-    }
-  }
-
   const timing::RasterTop& top_;
-  scene::SnappedSource& source_;
   SamplePlan plan_;
   Blocks blocks_;
   std::optional<Block> block_;
   timing::Cycle started_ = 0;
   timing::Cycle ended_ = 0;
   std::optional<timing::Cycle> begun_;  // the cycle in which the window begins
-  spec::Triangle next_;                 // read ahead, not yet handed over
-  uint64_t number_ = 0;                 // number of next_; at the end, the number of triangles
   uint64_t simulated_ = 0;
   std::vector<SampledWindow> windows_;
+  const Chunk* chunk_ = nullptr;
+  size_t at_ = 0;        // of the next triangle in *chunk_
+  uint64_t number_ = 0;  // its number
+  scene::ReadAhead<Chunk> ahead_;
 };
 
 double cycles_a_triangle(const SampledWindow& window) {

@@ -27,7 +27,8 @@ TEST(StandardInput, GivesTheFiguresOfTheFile) {
     for (Json* json : {&from_file, &from_pipe}) {
       json->erase("scene");  // its name
       json->erase("seconds");
-      json->erase("sides");  // hold seconds too
+      json->erase("stream");  // seconds, too
+      json->erase("sides");   // hold seconds too
     }
     EXPECT_EQ(from_file, from_pipe) << command;
   }
@@ -80,6 +81,63 @@ TEST(StandardInput, NeedsNoMoreMemoryForMoreTriangles) {
     };
     // The file grows by 19 MB, so a program that held it would need more.
     EXPECT_LT(peak_kib(400000), peak_kib(5000) + 4000) << command;
+  }
+}
+
+/// Many small triangles, some of which hide others; several chunks of them.
+Scene many_triangles() {
+  Scene scene{64, 48, Cull::kNone, Depth::kLess, {}};
+  for (uint32_t i = 0; i < 10000; ++i) {
+    const auto of = [i](uint32_t step, uint32_t range) {
+      return static_cast<float>(i * step % (range * 16)) / 16;
+    };
+    const Vertex a{of(7, 64), of(11, 48), of(13, 1)};
+    scene.triangles.push_back({a, Vertex{a.x + of(3, 5), a.y, a.z}, Vertex{a.x, a.y + 4, a.z}});
+    for (Vertex& v : scene.triangles.back()) v.rgba = {static_cast<uint8_t>(i), 0, 9, 255};
+  }
+  return scene;
+}
+
+// With --bench all triangles are read before the first one is drawn.
+TEST(StandardInput, DrawnWhileItIsReadIsTheFrameOfTheWhole) {
+  const Scratch scratch;
+  const std::string bytes = ptrb_bytes(many_triangles());
+  const std::string file = scratch.write("scene.ptrb", bytes);
+  const auto frame_of = [&](Arguments arguments, Json* json) {
+    arguments.insert(arguments.begin(), "render");
+    arguments.insert(arguments.end(), {"--dump", scratch.path("dump")});
+    *json = figures(arguments, piped(bytes));
+    return read_bytes(scratch.path("dump/hits.u16")) + read_bytes(scratch.path("dump/depth.u32")) +
+           read_bytes(scratch.path("dump/color.rgba"));
+  };
+  Json whole_json;
+  const std::string whole = frame_of({file, "--bench", "1"}, &whole_json);
+  EXPECT_FALSE(whole_json.contains("stream"));
+  for (const Arguments& arguments :
+       {Arguments{file}, Arguments{"-"}, Arguments{"-", "--threads", "2"}}) {
+    Json json;
+    EXPECT_TRUE(frame_of(arguments, &json) == whole) << testing::PrintToString(arguments);
+    EXPECT_EQ(json.at("counters"), whole_json.at("counters"));
+    EXPECT_EQ(json.at("input"), whole_json.at("input"));
+    const Json& stream = json.at("stream");
+    EXPECT_GE(stream.at("seconds"), json.at("seconds"));
+    EXPECT_NEAR(stream.at("megabytes_per_second").get<double>(),
+                static_cast<double>(bytes.size()) * 1e-6 / stream.at("seconds").get<double>(),
+                1e-3);
+  }
+}
+
+TEST(StandardInput, OfManyChunksIsRefusedWhereItIsCut) {
+  const std::string bytes = ptrb_bytes(many_triangles());
+  for (const char* command : {"render", "time"}) {
+    const Outcome cut =
+        pineda({command, "-", "--quiet"}, piped(bytes.substr(0, bytes.size() - 48 * 2000 - 1)));
+    EXPECT_EQ(cut.exit_code, 2);
+    EXPECT_EQ(cut.err, "pineda: standard input: expected 10000 triangles, got 7999\n");
+    const Outcome trailing = pineda({command, "-", "--quiet"}, piped(bytes + "x"));
+    EXPECT_EQ(trailing.exit_code, 2);
+    EXPECT_EQ(trailing.err,
+              "pineda: standard input: expected 10000 triangles, got bytes after them\n");
   }
 }
 
