@@ -7,7 +7,6 @@
 #include <charconv>
 #include <filesystem>
 
-#include "model/fast/level.h"
 #include "model/spec/design_file.h"
 
 namespace pineda::cli {
@@ -153,21 +152,6 @@ void add_scene_options(CLI::App* command, Options* o) {
   add_mesh_options(command, o);
   add_camera_options(command, o);
   add_output_options(command, o);
-}
-
-void add_simd_option(CLI::App* command) {
-  std::vector<std::string> names;
-  for (const fast::Level level : fast::levels()) names.emplace_back(fast::level_name(level));
-  const auto choose = [](const std::string& name) {
-    for (const fast::Level level : fast::levels()) {
-      if (name == fast::level_name(level)) fast::set_level(level);
-    }
-  };
-  command
-      ->add_option_function<std::string>(
-          "--simd", choose, "Vector unit, of those that this machine has; the best unless given")
-      ->check(CLI::IsMember(names))
-      ->type_name("NAME");
 }
 
 void add_time_options(CLI::App* command, Options* o) {

@@ -58,9 +58,6 @@ struct Options {
   std::string stall = spec::name_of(memory::StallMode::kNone);
 };
 
-/// --simd: forces the vector unit that the quick model computes with.
-void add_simd_option(CLI::App* command);
-
 /// Adds --json and --quiet.
 void add_output_options(CLI::App* command, Options* options);
 /// Adds the scene and all options about it.

@@ -4,6 +4,7 @@
 
 #include "cli/job.h"
 #include "cli/report/pictures.h"
+#include "cli/simd_option.h"
 #include "cli/triangles.h"
 #include "model/fast/band_renderer.h"
 

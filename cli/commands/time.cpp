@@ -7,6 +7,7 @@
 #include "cli/report/cycles.h"
 #include "cli/report/memory_report.h"
 #include "cli/report/seeing.h"
+#include "cli/simd_option.h"
 #include "cli/triangles.h"
 
 namespace pineda::cli {

@@ -3,10 +3,6 @@
 //   draw_by_llvmpipe --version     # of OpenGL and Mesa
 //
 // Positions are given to OpenGL as they are snapped to 1/256 px, which is what llvmpipe snaps to.
-#define GL_GLEXT_PROTOTYPES 0
-#include <GL/gl.h>
-#include <GL/glext.h>
-#include <GL/osmesa.h>
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -14,95 +10,16 @@
 #include <vector>
 
 #include "examples/llvmpipe/clip_space.h"
+#include "examples/llvmpipe/gl.h"
 #include "model/scene/writers.h"
 #include "model/spec/clear_depth.h"
 
 namespace {
 
 using namespace pineda;
+using llvmpipe::Context;
+using llvmpipe::Gl;
 using llvmpipe::Vertex;
-
-/// What of OpenGL is used.
-struct Gl {
-  template <class Function>
-  static Function get(const char* name) {
-    const auto function = reinterpret_cast<Function>(OSMesaGetProcAddress(name));
-    if (function == nullptr) throw std::runtime_error(fmt::format("OpenGL has no {}", name));
-    return function;
-  }
-#define PINEDA_GL(type, name) type name = get<type>("gl" #name)
-  PINEDA_GL(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers);
-  PINEDA_GL(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer);
-  PINEDA_GL(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers);
-  PINEDA_GL(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer);
-  PINEDA_GL(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage);
-  PINEDA_GL(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer);
-  PINEDA_GL(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus);
-  PINEDA_GL(PFNGLCREATESHADERPROC, CreateShader);
-  PINEDA_GL(PFNGLSHADERSOURCEPROC, ShaderSource);
-  PINEDA_GL(PFNGLCOMPILESHADERPROC, CompileShader);
-  PINEDA_GL(PFNGLCREATEPROGRAMPROC, CreateProgram);
-  PINEDA_GL(PFNGLATTACHSHADERPROC, AttachShader);
-  PINEDA_GL(PFNGLLINKPROGRAMPROC, LinkProgram);
-  PINEDA_GL(PFNGLGETPROGRAMIVPROC, GetProgramiv);
-  PINEDA_GL(PFNGLUSEPROGRAMPROC, UseProgram);
-  PINEDA_GL(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays);
-  PINEDA_GL(PFNGLBINDVERTEXARRAYPROC, BindVertexArray);
-  PINEDA_GL(PFNGLGENBUFFERSPROC, GenBuffers);
-  PINEDA_GL(PFNGLBINDBUFFERPROC, BindBuffer);
-  PINEDA_GL(PFNGLBUFFERDATAPROC, BufferData);
-  PINEDA_GL(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray);
-  PINEDA_GL(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer);
-  PINEDA_GL(PFNGLPROVOKINGVERTEXPROC, ProvokingVertex);
-  PINEDA_GL(PFNGLCLIPCONTROLPROC, ClipControl);
-  PINEDA_GL(PFNGLDRAWARRAYSEXTPROC, DrawArrays);
-  PINEDA_GL(decltype(&glClear), Clear);
-  PINEDA_GL(decltype(&glClearColor), ClearColor);
-  PINEDA_GL(decltype(&glClearDepth), ClearDepth);
-  PINEDA_GL(decltype(&glEnable), Enable);
-  PINEDA_GL(decltype(&glDisable), Disable);
-  PINEDA_GL(decltype(&glBlendFunc), BlendFunc);
-  PINEDA_GL(decltype(&glCullFace), CullFace);
-  PINEDA_GL(decltype(&glFrontFace), FrontFace);
-  PINEDA_GL(decltype(&glDepthFunc), DepthFunc);
-  PINEDA_GL(decltype(&glDepthMask), DepthMask);
-  PINEDA_GL(decltype(&glPolygonOffset), PolygonOffset);
-  PINEDA_GL(decltype(&glScissor), Scissor);
-  PINEDA_GL(decltype(&glViewport), Viewport);
-  PINEDA_GL(decltype(&glPixelStorei), PixelStorei);
-  PINEDA_GL(decltype(&glReadPixels), ReadPixels);
-  PINEDA_GL(decltype(&glGetError), GetError);
-  PINEDA_GL(decltype(&glGetString), GetString);
-#undef PINEDA_GL
-};
-
-/// A context that draws to framebuffer objects alone.
-class Context {
- public:
-  Context() {
-    const int attributes[] = {OSMESA_FORMAT,
-                              OSMESA_RGBA,
-                              OSMESA_PROFILE,
-                              OSMESA_CORE_PROFILE,
-                              OSMESA_CONTEXT_MAJOR_VERSION,
-                              4,
-                              OSMESA_CONTEXT_MINOR_VERSION,
-                              5,
-                              0};
-    context_ = OSMesaCreateContextAttribs(attributes, nullptr);
-    if (context_ == nullptr ||
-        OSMesaMakeCurrent(context_, window_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE) {
-      throw std::runtime_error("OSMesa makes no context of OpenGL 4.5");
-    }
-  }
-  ~Context() { OSMesaDestroyContext(context_); }
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
-
- private:
-  OSMesaContext context_ = nullptr;
-  std::vector<uint8_t> window_ = std::vector<uint8_t>(4);
-};
 
 /// All triangles of a scene in clip space.
 std::vector<Vertex> clip_vertices(const scene::Scene& scene) {
@@ -111,56 +28,6 @@ std::vector<Vertex> clip_vertices(const scene::Scene& scene) {
     for (const Vertex& v : llvmpipe::clip_vertices(scene, triangle)) vertices.push_back(v);
   }
   return vertices;
-}
-
-GLuint shader_of(const Gl& gl, GLenum kind, const std::string& text) {
-  const GLuint shader = gl.CreateShader(kind);
-  const char* const source = text.c_str();
-  gl.ShaderSource(shader, 1, &source, nullptr);
-  gl.CompileShader(shader);
-  return shader;
-}
-
-/// Vertex colours to attachment 0, and 1 for each hit to attachment 1.
-void use_program(const Gl& gl, bool flat) {
-  const std::string how = flat ? "flat" : "smooth";
-  const GLuint program = gl.CreateProgram();
-  gl.AttachShader(program,
-                  shader_of(gl, GL_VERTEX_SHADER,
-                            "#version 330\n"
-                            "layout(location = 0) in vec4 position;\n"
-                            "layout(location = 1) in vec4 rgba;\n" +
-                                how +
-                                " out vec4 color;\n"
-                                "void main() { gl_Position = position; color = rgba; }\n"));
-  gl.AttachShader(program, shader_of(gl, GL_FRAGMENT_SHADER,
-                                     "#version 330\n" + how +
-                                         " in vec4 color;\n"
-                                         "layout(location = 0) out vec4 drawn;\n"
-                                         "void main() { drawn = color; }\n"));
-  gl.LinkProgram(program);
-  GLint linked = GL_FALSE;
-  gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (linked == GL_FALSE) throw std::runtime_error("OpenGL does not link the shaders");
-  gl.UseProgram(program);
-}
-
-void bind_frame(const Gl& gl, GLenum color_format, const spec::FrameState& frame) {
-  GLuint buffer = 0;
-  std::array<GLuint, 2> images{};
-  gl.GenFramebuffers(1, &buffer);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, buffer);
-  gl.GenRenderbuffers(2, images.data());
-  const std::array<std::pair<GLenum, GLenum>, 2> parts{
-      {{GL_COLOR_ATTACHMENT0, color_format}, {GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24}}};
-  for (size_t i = 0; i < parts.size(); ++i) {
-    gl.BindRenderbuffer(GL_RENDERBUFFER, images[i]);
-    gl.RenderbufferStorage(GL_RENDERBUFFER, parts[i].second, frame.width, frame.height);
-    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, parts[i].first, GL_RENDERBUFFER, images[i]);
-  }
-  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::runtime_error("OpenGL has no such framebuffer");
-  }
 }
 
 void set_state(const Gl& gl, const spec::FrameState& frame) {
@@ -195,18 +62,7 @@ scene::Frame drawn(const scene::Scene& scene) {
   const Gl gl;
   const spec::FrameState& state = scene.frame;
   const auto vertices = clip_vertices(scene);
-  GLuint array = 0, buffer = 0;
-  gl.GenVertexArrays(1, &array);
-  gl.BindVertexArray(array);
-  gl.GenBuffers(1, &buffer);
-  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
-  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)),
-                vertices.data(), GL_STATIC_DRAW);
-  gl.EnableVertexAttribArray(0);
-  gl.VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
-  gl.EnableVertexAttribArray(1);
-  gl.VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Vertex),
-                         reinterpret_cast<void*>(offsetof(Vertex, rgba)));
+  bind_vertices(gl, 4, vertices.data(), vertices.size());
 
   const size_t samples = static_cast<size_t>(state.width) * static_cast<size_t>(state.height);
   scene::Frame frame;
@@ -215,8 +71,8 @@ scene::Frame drawn(const scene::Scene& scene) {
   set_state(gl, state);
 
   // Depth and colour
-  use_program(gl, state.shade == spec::Shade::kFlat);
-  bind_frame(gl, GL_RGBA8, state);
+  use_program(gl, state.shade == spec::Shade::kFlat ? "flat" : "smooth");
+  bind_frame(gl, GL_RGBA8, state.width, state.height);
   static constexpr GLenum kFunctions[] = {GL_LESS,    GL_LEQUAL,   GL_ALWAYS, GL_NEVER, GL_EQUAL,
                                           GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS};
   gl.Enable(GL_DEPTH_TEST);
@@ -239,8 +95,8 @@ scene::Frame drawn(const scene::Scene& scene) {
   frame.clear_depth = spec::depth_code(state.clear_depth, 24);
 
   // Hits: 1 is added for each triangle, without a depth test.
-  use_program(gl, true);
-  bind_frame(gl, GL_R32F, state);
+  use_program(gl, "flat");
+  bind_frame(gl, GL_R32F, state.width, state.height);
   gl.Disable(GL_DEPTH_TEST);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE);
