@@ -1,7 +1,7 @@
 #!/bin/sh
 # check_direction.sh ROOT: fails when an include points against the direction
 #   spec <- core <- fast <- timing <- tb <- cli;  memory -> core;  scene, vectors -> figures -> spec;
-#   judge -> core, exact; exact and files use nothing; tests use everything. What judges (vectors, tb)
+#   judge -> core, exact; exact and files use nothing; bench -> cli, examples; tests use everything. What judges (vectors, tb)
 #   compares with core and never sees fast.
 # Also: paths start at the root, only the plug-ins of tb, the tests of lone modules and the foreign RTL see
 # a Verilated header, and SystemC is known from model/timing on.
@@ -28,6 +28,7 @@ BEGIN {
   may["golden"] = "golden studies model/scene model/judge model/exact model/fast model/core model/spec"
   may["cli"] = "cli " may["studies"]
   may["examples"] = "examples model/timing model/memory model/scene model/baseline model/judge model/core model/spec"
+  may["bench"] = "bench examples cli model/scene model/fast model/spec"
   may["tests"] = "tests golden " may["cli"]
 }
 function folder(path, part) {
