@@ -34,11 +34,11 @@ const spec::Contract& contract() {
 }
 
 // The triangles of one scene; those of the last one stay in memory.
-const std::vector<spec::Triangle>& triangles_in_memory(const std::string& scene) {
+const fast::TriangleList& triangles_in_memory(const std::string& scene) {
   static std::string name;
-  static std::vector<spec::Triangle> triangles;
+  static fast::TriangleList triangles(contract());
   if (name != scene) {
-    triangles = {};
+    triangles = fast::TriangleList(contract());
     triangles = snapped(contract(), triangles_of(contract(), scene));
     name = scene;
   }
@@ -68,16 +68,17 @@ void measure_clear(State& state) {
 
 void measure_setup(State& state, const std::string& scene) {
   const auto& triangles = triangles_in_memory(scene);
-  const spec::FrameState frame = frame_state();
-  spec::SetupPrim prim;
+  const fast::SetupLanes lanes(contract(), frame_state());
+  fast::PrimGroup prims;
+  std::array<uint64_t, core::kDropCauses> drops{};
   for ([[maybe_unused]] auto _ : state) {
-    for (const spec::Triangle& triangle : triangles) {
-      benchmark::DoNotOptimize(fast::setup(contract(), frame, triangle, &prim));
-      benchmark::DoNotOptimize(&prim);
+    for (const fast::TriangleGroup& group : triangles.groups()) {
+      fast::set_up(lanes, group, fast::kGroup, &prims, &drops);
+      benchmark::DoNotOptimize(&prims);
       benchmark::ClobberMemory();
     }
   }
-  set_items(&state, triangles.size(), triangles.size() * sizeof(spec::Triangle));
+  set_items(&state, triangles.size(), triangles.groups().size() * sizeof(fast::TriangleGroup));
   state.counters["triangle"] = time_of_one(triangles.size());
 }
 
@@ -90,11 +91,12 @@ void measure_draw(State& state, const std::string& scene) {
     state.PauseTiming();
     renderer.clear();
     state.ResumeTiming();
-    renderer.draw(triangles.data(), triangles.size());
+    renderer.draw(triangles);
     benchmark::ClobberMemory();
   }
   const core::FrameCounters counters = renderer.counters();
-  const uint64_t read = triangles.size() * sizeof(spec::Triangle) + counters.fragments * kCodeBytes;
+  const uint64_t read =
+      triangles.groups().size() * sizeof(fast::TriangleGroup) + counters.fragments * kCodeBytes;
   set_items(&state, triangles.size(), read + counters.passed * 2 * kCodeBytes);
   state.counters["triangle"] = time_of_one(triangles.size());
   state.counters["sample"] = time_of_one(counters.fragments);

@@ -183,11 +183,10 @@ spec::FrameState frame_state() {
   return state;
 }
 
-std::vector<spec::Triangle> snapped(const spec::Contract& contract,
-                                    const std::vector<ScreenTriangle>& triangles) {
+fast::TriangleList snapped(const spec::Contract& contract,
+                           const std::vector<ScreenTriangle>& triangles) {
   scene::SnappedSource source(contract, std::make_unique<scene::ListReader>(triangles));
-  std::vector<spec::Triangle> all;
-  all.reserve(triangles.size());
+  fast::TriangleList all(contract);
   for (spec::Triangle triangle; source.next(&triangle);) all.push_back(triangle);
   return all;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/fast/triangle_list.h"
 #include "model/scene/screen.h"
 #include "model/spec/design.h"
 
@@ -30,7 +31,7 @@ std::vector<scene::ScreenTriangle> triangles_of(const spec::Contract& contract,
 spec::FrameState frame_state();
 
 /// The triangles as the model takes them.
-std::vector<spec::Triangle> snapped(const spec::Contract& contract,
-                                    const std::vector<scene::ScreenTriangle>& triangles);
+fast::TriangleList snapped(const spec::Contract& contract,
+                           const std::vector<scene::ScreenTriangle>& triangles);
 
 }  // namespace pineda::bench

@@ -89,6 +89,7 @@ void Llvmpipe::clear_and_draw() const {
 
 Pineda::Pineda(const spec::Contract& contract)
     : contract_(contract),
+      triangles_(contract),
       renderer_(contract, frame_state(), {}, fast::Renderer::Hits::kUncounted) {}
 
 void Pineda::load(const std::vector<scene::ScreenTriangle>& triangles) {
@@ -103,7 +104,7 @@ Samples Pineda::count() {
 
 void Pineda::draw() {
   renderer_.clear();
-  renderer_.draw(triangles_.data(), triangles_.size());
+  renderer_.draw(triangles_);
 }
 
 }  // namespace pineda::bench

@@ -57,7 +57,7 @@ class Pineda {
 
  private:
   spec::Contract contract_;
-  std::vector<spec::Triangle> triangles_;
+  fast::TriangleList triangles_;
   fast::Renderer renderer_;
 };
 

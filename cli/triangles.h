@@ -12,8 +12,14 @@
 
 namespace pineda::cli {
 
-/// Reads ahead in chunks, so that memory stays bounded and the clock is asked rarely; where there is
-/// a second processor and more than a few chunks, in a thread of its own.
+/// Is a source read in a thread of its own? Where there is a second processor, and more than a few
+/// chunks of triangles.
+inline bool is_read_ahead(const scene::SnappedSource& source, size_t few) {
+  const bool is_long = !source.size() || *source.size() > few;
+  return is_long && std::thread::hardware_concurrency() > 1;
+}
+
+/// Reads ahead in chunks, so that memory stays bounded and the clock is asked rarely.
 class ChunkedTriangles {
  public:
   static constexpr size_t kChunk = 2048;  // 544 KB: what is drawn stays in a processor's own cache
@@ -22,8 +28,7 @@ class ChunkedTriangles {
   /// is reached, the source may be ahead of the chunks, and its counters too.
   ChunkedTriangles(scene::SnappedSource* source, Progress* progress, const char* phase)
       : source_(source), progress_(progress), phase_(phase) {
-    const bool is_long = !source->size() || *source->size() > kRing * kChunk;
-    if (is_long && std::thread::hardware_concurrency() > 1) {
+    if (is_read_ahead(*source, kRing * kChunk)) {
       ahead_.emplace(kRing, [this](Chunk* chunk) { return read(chunk); });
     }
   }

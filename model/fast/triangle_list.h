@@ -23,6 +23,11 @@ class TriangleList {
     ++size_;
   }
 
+  void clear() {
+    size_ = 0;
+    groups_.clear();
+    whole_.clear();
+  }
   size_t size() const { return size_; }
   bool is_grouped() const { return is_grouped_; }
   const std::vector<TriangleGroup>& groups() const { return groups_; }

@@ -23,8 +23,9 @@ class ReadAhead {
  public:
   using Fill = std::function<bool(Item*)>;
 
-  /// `items` >= 2: one that the caller has, the others are read meanwhile.
-  ReadAhead(size_t items, Fill fill) : items_(items), fill_(std::move(fill)) {
+  /// `items` >= 2: one that the caller has, the others are read meanwhile. All begin as `item`.
+  ReadAhead(size_t items, Fill fill, const Item& item = {})
+      : items_(items, item), fill_(std::move(fill)) {
     thread_ = std::thread([this] { run(); });
   }
   /// Waits until a fill() that runs has returned.
