@@ -36,9 +36,9 @@ const spec::Contract& contract() {
 // The triangles of one scene; those of the last one stay in memory.
 const fast::TriangleList& triangles_in_memory(const std::string& scene) {
   static std::string name;
-  static fast::TriangleList triangles(contract());
+  static fast::TriangleList triangles(contract(), frame_state());
   if (name != scene) {
-    triangles = fast::TriangleList(contract());
+    triangles = fast::TriangleList(contract(), frame_state());
     triangles = snapped(contract(), triangles_of(contract(), scene));
     name = scene;
   }

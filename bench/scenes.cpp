@@ -186,7 +186,7 @@ spec::FrameState frame_state() {
 fast::TriangleList snapped(const spec::Contract& contract,
                            const std::vector<ScreenTriangle>& triangles) {
   scene::SnappedSource source(contract, std::make_unique<scene::ListReader>(triangles));
-  fast::TriangleList all(contract);
+  fast::TriangleList all(contract, frame_state());
   for (spec::Triangle triangle; source.next(&triangle);) all.push_back(triangle);
   return all;
 }

@@ -89,7 +89,7 @@ void Llvmpipe::clear_and_draw() const {
 
 Pineda::Pineda(const spec::Contract& contract)
     : contract_(contract),
-      triangles_(contract),
+      triangles_(contract, frame_state()),
       renderer_(contract, frame_state(), {}, fast::Renderer::Hits::kUncounted) {}
 
 void Pineda::load(const std::vector<scene::ScreenTriangle>& triangles) {

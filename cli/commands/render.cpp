@@ -21,9 +21,9 @@ struct RenderOptions : Options {
 // As ChunkedTriangles, in the form in which they are drawn: what reads them packs them, too.
 class TriangleLists {
  public:
-  TriangleLists(const spec::Contract& contract, scene::SnappedSource* source)
-      : source_(source), own_(contract) {
-    if (is_read_ahead(*source, kRing * kSize)) {
+  TriangleLists(const spec::Contract& contract, const scene::Scene& scene)
+      : source_(scene.source.get()), own_(contract, scene.frame) {
+    if (is_read_ahead(*source_, kRing * kSize)) {
       ahead_.emplace(
           kRing, [this](fast::TriangleList* list) { return read(list); }, own_);
     }
@@ -58,7 +58,7 @@ FrameSeconds draw_once(const scene::Scene& scene, const spec::Contract& contract
                        Progress* progress, fast::BandRenderer* renderer) {
   FrameSeconds seconds;
   seconds.stream = seconds_of([&] {
-    TriangleLists lists(contract, scene.source.get());
+    TriangleLists lists(contract, scene);
     uint64_t drawn = 0;
     for (auto* list = lists.next(); list != nullptr; list = lists.next()) {
       seconds.drawing += seconds_of([&] { renderer->draw(*list); });
@@ -71,7 +71,7 @@ FrameSeconds draw_once(const scene::Scene& scene, const spec::Contract& contract
 
 FrameSeconds draw_repeatedly(const scene::Scene& scene, const spec::Contract& contract, int runs,
                              Progress* progress, fast::BandRenderer* renderer) {
-  fast::TriangleList triangles(contract);
+  fast::TriangleList triangles(contract, scene.frame);
   ChunkedTriangles source(scene.source.get(), progress, "loading");
   for (spec::Triangle triangle; source.next(&triangle);) triangles.push_back(triangle);
   std::vector<double> seconds;

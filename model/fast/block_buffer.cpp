@@ -36,7 +36,8 @@ void BlockBuffer::copy_rows(int first, int last, core::FrameBuffer* to) const {
   for (int y = first; y <= std::min(last, height - 1); ++y) {
     for (int x = 0; x < width; ++x) {
       const size_t line = this->line(x, y);
-      const auto sample = static_cast<size_t>(y % kLineHeightPx * kLineWidthPx + x % kLineWidthPx);
+      const int sample_in_line = y % kLineHeightPx * kLineWidthPx + x % kLineWidthPx;
+      const auto sample = static_cast<size_t>(sample_in_line);
       const size_t there = to->index(x, y);
       to->depth[there] = lines[line].depth[sample];
       to->hits[there] = hits.empty() ? 0 : hits[line * kLineSamples + sample];

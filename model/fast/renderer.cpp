@@ -1,6 +1,7 @@
 #include "model/fast/renderer.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace pineda::fast {
 
@@ -146,7 +147,8 @@ Drop Renderer::draw(const spec::Triangle& triangle) {
 }
 
 void Renderer::draw(const TriangleList& list) {
-  if (!list.is_grouped() || !blocks_) return draw(list.whole().data(), list.whole().size());
+  if (!list.is_grouped()) return draw(list.whole().data(), list.whole().size());
+  if (!blocks_ || !blocks_->lanes) throw std::logic_error("a list for a frame of another state");
   for (size_t i = 0; i < list.groups().size(); ++i) {
     draw_group(list.groups()[i], std::min(kGroup, list.size() - i * kGroup));
   }

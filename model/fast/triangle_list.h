@@ -3,15 +3,18 @@
 
 #include <vector>
 
+#include "model/fast/blocks.h"
 #include "model/fast/setup_lanes.h"
 
 namespace pineda::fast {
 
-/// In groups of TriangleGroup, 48 bytes a triangle, for a design with setup in lanes; whole for others.
+/// In groups of TriangleGroup, 48 bytes a triangle, where the frame is drawn in blocks and set up in
+/// lanes; whole elsewhere.
 class TriangleList {
  public:
-  explicit TriangleList(const spec::Contract& contract)
-      : is_grouped_(has_setup_lanes(contract)), channels_(spec::channels(contract.design)) {}
+  TriangleList(const spec::Contract& contract, const spec::FrameState& frame)
+      : is_grouped_(has_setup_lanes(contract) && has_blocks(contract, frame)),
+        channels_(spec::channels(contract.design)) {}
 
   void push_back(const spec::Triangle& triangle) {
     if (is_grouped_) {

@@ -15,7 +15,7 @@ TEST(BandRenderer, EqualsCoreForEveryNumberOfThreads) {
     triangles.push_back(random_triangle(random, static_cast<Shape>(random.between(0, 4))));
     randomize_values(random, &triangles.back());
   }
-  fast::TriangleList list(kContract);
+  fast::TriangleList list(kContract, kWindow);
   for (const auto& t : triangles) list.push_back(t);
   EXPECT_TRUE(list.is_grouped());
   EXPECT_EQ(list.size(), triangles.size());

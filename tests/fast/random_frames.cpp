@@ -69,7 +69,10 @@ std::string compare(const spec::Contract& c, const spec::Contract& of_tiles, uin
   for (int i = 0; i < 40; ++i) triangles.push_back(random_triangle(c, frame, &random));
   // Half as a list, which is set up side by side.
   for (const auto& t : triangles) stamps.draw(t);
-  tiles.draw(triangles.data(), 20);
+  fast::TriangleList list(of_tiles, frame);
+  for (size_t i = 0; i < 10; ++i) list.push_back(triangles[i]);
+  tiles.draw(list);
+  tiles.draw(triangles.data() + 10, 10);
   for (size_t i = 20; i < triangles.size(); ++i) tiles.draw(triangles[i]);
   const core::FrameCounters& a = stamps.counters();
   const core::FrameCounters b = tiles.counters();

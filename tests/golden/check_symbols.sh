@@ -13,7 +13,7 @@ fi
 needed=$(readelf -d "$1" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p')
 for library in $needed; do
   case "$library" in
-    libtomlplusplus* | libfmt* | libstdc++* | libm.* | libgcc_s* | libc.* | ld-linux* | libdl.* | libpthread.*) ;;
+    libtomlplusplus* | libfmt* | libhwy.* | libstdc++* | libm.* | libgcc_s* | libc.* | ld-linux* | libdl.* | libpthread.*) ;;
     *) echo "$1 needs $library"; exit 1 ;;
   esac
 done
