@@ -547,15 +547,19 @@ HWY_INLINE void draw(const State& s, const PrimGroup& group, BlockBuffer* buffer
   }
 }
 
-// What most frames are drawn with, as constants.
+// What most frames are drawn with, as constants: the default design's.
 struct CommonState {
   // NOLINTBEGIN(readability-identifier-naming): those of BlockState
-  static constexpr int tile_log2 = 3;
-  static constexpr int stamp_width_log2 = 1, stamp_height_log2 = 1;
+  static constexpr const spec::Design& kDesign = spec::kHighTile;
+  static constexpr int tile_log2 = kDesign.tile_log2;
+  static constexpr int stamp_width_log2 = kDesign.stamp_width_log2;
+  static constexpr int stamp_height_log2 = kDesign.stamp_height_log2;
   static constexpr bool writes_depth = true, counts_hits = false;
-  static constexpr int channels = 4;
-  static constexpr int depth_bits = 24;
-  static constexpr int depth_plane_bits = 44, dropped_bits = 10, fraction_bits = 8;
+  static constexpr int channels = spec::channels(kDesign);
+  static constexpr int depth_bits = kDesign.depth_bits;
+  static constexpr int depth_plane_bits = spec::kHighTileWidths.depth_plane;
+  static constexpr int fraction_bits = kDesign.tile_fraction_bits;
+  static constexpr int dropped_bits = kDesign.gradient_fraction_bits - fraction_bits;
   // NOLINTEND(readability-identifier-naming)
   core::TileRows rows;
   core::PassesWhen when;
