@@ -40,7 +40,7 @@ if(PINEDA_RTL)
   install(DIRECTORY model/spec DESTINATION ${data}/model FILES_MATCHING PATTERN "*.h")
   install(DIRECTORY studies/area/technologies DESTINATION ${data}/studies/area)
   install(DIRECTORY studies/netlist studies/score DESTINATION ${data}/studies
-          FILES_MATCHING PATTERN "*.sv")
+          FILES_MATCHING PATTERN "*.sv" PATTERN "*.v")
   install(DIRECTORY vectors/setup vectors/traversal vectors/interp_ztest vectors/frame vectors/mutants
           DESTINATION ${data}/vectors)
   install(FILES vectors/testplan.hjson DESTINATION ${data}/vectors)

@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "model/fast/small_prims.h"
 #include "model/fast/tile_steps.h"
 #include "model/spec/bounds.h"
 
@@ -17,7 +18,7 @@ namespace {
 
 #if HWY_TARGET == HWY_SCALAR
 // No vectors: has_blocks() says so.
-void draw_all(const BlockState&, const PrimGroup&, BlockBuffer*, BlockCounts*) {}
+void draw_all(const BlockState&, const PrimGroup&, const SmallPrims&, BlockBuffer*, BlockCounts*) {}
 #else
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -180,7 +181,7 @@ struct TileSlopes {
   alignas(64) Each<std::array<uint32_t, 4> > color_dx, color_dy;  // Pairs
 
   template <class State>
-  HWY_INLINE TileSlopes(const State& s, const PrimGroup& g) {
+  HWY_INLINE void set(const State& s, const PrimGroup& g) {
     const hn::Repartition<int64_t, decltype(kLanes)> d;
     using Words = hn::Vec<decltype(d)>;
     const Words half = hn::Set(d, (int64_t{1} << s.dropped_bits) >> 1);
@@ -439,17 +440,17 @@ HWY_INLINE uint64_t stamps_of(const State& s, uint64_t block) {
   return ones(block & kColumns[s.stamp_width_log2] & kStampRows[s.stamp_height_log2]);
 }
 
-template <class State>
-HWY_INLINE void count(const State& s, const Outcome& outcome, BlockCounts* counts) {
+template <class StampsOf>
+HWY_INLINE void count(const Outcome& outcome, StampsOf stamps_of, BlockCounts* counts) {
   counts->fragments += ones(outcome.covered);
-  const uint64_t stamps = stamps_of(s, outcome.covered);
+  const uint64_t stamps = stamps_of(outcome.covered);
   counts->stamps += stamps;
   if (outcome.passed == outcome.covered) {
     counts->passed += ones(outcome.covered);
     counts->interpolated += stamps;
   } else if (outcome.passed != 0) {
     counts->passed += ones(outcome.passed);
-    counts->interpolated += stamps_of(s, outcome.passed);
+    counts->interpolated += stamps_of(outcome.passed);
   }
 }
 
@@ -482,7 +483,8 @@ HWY_INLINE void draw_block_of(const State& s, const Triangle& t, const Tile& til
   for (size_t k = 0; k < 3; ++k) {
     block.e[k] = static_cast<int32_t>(e[k]) + t.edge[k].a * i + t.edge[k].b * j;
   }
-  if (hidden) return count(s, draw_block<Test, true>(s, t, block, number, buffer), counts);
+  const auto stamps = [&s](uint64_t samples) HWY_ATTR { return stamps_of(s, samples); };
+  if (hidden) return count(draw_block<Test, true>(s, t, block, number, buffer), stamps, counts);
   const Pairs color = t.colors_at(s, tile.across, tile.down);
   block.low = PairSlope::repeat(color.low);
   block.high = PairSlope::repeat(color.high);
@@ -493,7 +495,7 @@ HWY_INLINE void draw_block_of(const State& s, const Triangle& t, const Tile& til
     block.low = moved(block.low, t.low);
     block.high = moved(block.high, t.high);
   }
-  count(s, draw_block<Test, false>(s, t, block, number, buffer), counts);
+  count(draw_block<Test, false>(s, t, block, number, buffer), stamps, counts);
 }
 
 template <When Test, class State>
@@ -524,12 +526,71 @@ HWY_INLINE void draw_tile(const State& s, const EdgePrim& prim, const Triangle& 
   }
 }
 
+// ---- Small triangles
+
+// How many stamps have one of these samples, x + 8y from a stamp's corner.
+template <class State>
+HWY_INLINE uint64_t small_stamps_of(const State& s, uint64_t samples) {
+  constexpr uint64_t kColumns[] = {~uint64_t{0}, 0x5555555555555555, 0x1111111111111111};
+  constexpr uint64_t kStampRows[] = {~uint64_t{0}, 0x00ff00ff00ff00ff, 0x000000ff000000ff};
+  if (s.stamp_width_log2 >= 1) samples |= samples >> 1;
+  if (s.stamp_width_log2 >= 2) samples |= samples >> 2;
+  if (s.stamp_height_log2 >= 1) samples |= samples >> kSmallPx;
+  if (s.stamp_height_log2 >= 2) samples |= samples >> (2 * kSmallPx);
+  return ones(samples & kColumns[s.stamp_width_log2] & kStampRows[s.stamp_height_log2]);
+}
+
+template <When Test>
+HWY_INLINE bool passes(const core::PassesWhen& when, uint32_t code, uint32_t stored) {
+  if constexpr (Test == When::kLess) return code < stored;
+  if constexpr (Test == When::kLequal) return code <= stored;
+  return (when.less && code < stored) || (when.equal && code == stored) ||
+         (when.greater && code > stored);
+}
+
+// Draws some samples of one triangle.
 template <When Test, class State>
-HWY_INLINE void draw(const State& s, const PrimGroup& group, BlockBuffer* buffer,
-                     BlockCounts* counts) {
-  const TileSlopes slopes(s, group);
+HWY_INLINE void draw_small(const State& s, const PrimGroup& group, const SmallPrims& small,
+                           size_t i, uint32_t begin, BlockBuffer* buffer, BlockCounts* counts) {
+  Outcome outcome{small.covered[i], 0};
+  for (uint32_t k = begin; k < small.end[i]; ++k) {
+    const SmallPrims::Sample& sample = small.samples[k];
+    constexpr uint32_t kLineWords = sizeof(SampleLine) / sizeof(uint32_t);
+    const uint32_t number = sample.place / kLineWords, at = sample.place % kLineWords;
+    SampleLine& line = buffer->lines[number];
+    if (s.counts_hits) {
+      uint16_t& hits = buffer->hits[size_t{number} * kLineSamples + at];
+      hits = static_cast<uint16_t>(hits + (hits != 0xffff ? 1 : 0));
+    }
+    bool pass = true;
+    if constexpr (Test != When::kAlways) {
+      const uint32_t stored = line.depth[at];
+      pass = passes<Test>(s.when, sample.depth, stored);
+      if (s.writes_depth) line.depth[at] = pass ? sample.depth : stored;
+    }
+    if (s.channels > 0) line.color[at] = pass ? sample.color : line.color[at];
+    outcome.passed |= uint64_t{pass} << sample.bit;
+  }
+  const int to_stamp = (group.x0[i] & ((1 << s.stamp_width_log2) - 1)) +
+                       (group.y0[i] & ((1 << s.stamp_height_log2) - 1)) * kSmallPx;
+  const auto stamps = [&](uint64_t samples)
+                          HWY_ATTR { return small_stamps_of(s, samples << to_stamp); };
+  count(outcome, stamps, counts);
+}
+
+template <When Test, class State>
+HWY_INLINE void draw(const State& s, const PrimGroup& group, const SmallPrims& small,
+                     BlockBuffer* buffer, BlockCounts* counts) {
+  TileSlopes slopes;
+  if (group.drawn != small.small) slopes.set(s, group);
+  uint32_t drawn_samples = 0;  // of small triangles
   for (uint32_t left = group.drawn; left != 0; left &= left - 1) {
     const auto i = static_cast<size_t>(__builtin_ctz(left));
+    if ((small.small >> i & 1) != 0) {
+      draw_small<Test>(s, group, small, i, drawn_samples, buffer, counts);
+      drawn_samples = small.end[i];
+      continue;
+    }
     const EdgePrim prim(group, i);
     const Triangle t(s, group, slopes, i);
     TileSteps tile;
@@ -573,17 +634,17 @@ struct CommonState {
   }
 };
 
-void draw_all(const BlockState& s, const PrimGroup& group, BlockBuffer* buffer,
-              BlockCounts* counts) {
-  if (!s.tests_depth) return draw<When::kAlways>(s, group, buffer, counts);
+void draw_all(const BlockState& s, const PrimGroup& group, const SmallPrims& small,
+              BlockBuffer* buffer, BlockCounts* counts) {
+  if (!s.tests_depth) return draw<When::kAlways>(s, group, small, buffer, counts);
   const bool is_less = s.when.less && !s.when.greater;
   if (is_less && !s.when.equal) {
     const CommonState common{s.rows, s.when};
-    return CommonState::holds(s) ? draw<When::kLess>(common, group, buffer, counts)
-                                 : draw<When::kLess>(s, group, buffer, counts);
+    return CommonState::holds(s) ? draw<When::kLess>(common, group, small, buffer, counts)
+                                 : draw<When::kLess>(s, group, small, buffer, counts);
   }
-  if (is_less) return draw<When::kLequal>(s, group, buffer, counts);
-  draw<When::kAny>(s, group, buffer, counts);
+  if (is_less) return draw<When::kLequal>(s, group, small, buffer, counts);
+  draw<When::kAny>(s, group, small, buffer, counts);
 }
 
 #endif
@@ -632,9 +693,9 @@ BlockState::BlockState(const spec::Contract& contract, const spec::FrameState& f
 
 HWY_EXPORT(draw_all);
 
-void draw_blocks(const BlockState& state, const PrimGroup& group, BlockBuffer* buffer,
-                 BlockCounts* counts) {
-  HWY_DYNAMIC_DISPATCH(draw_all)(state, group, buffer, counts);
+void draw_blocks(const BlockState& state, const PrimGroup& group, const SmallPrims& small,
+                 BlockBuffer* buffer, BlockCounts* counts) {
+  HWY_DYNAMIC_DISPATCH(draw_all)(state, group, small, buffer, counts);
 }
 
 }  // namespace pineda::fast

@@ -15,6 +15,8 @@ bool has_blocks(const spec::Contract& contract);
 /// Can this frame? Not with a depth bias, which may take a value out of its range.
 bool has_blocks(const spec::Contract& contract, const spec::FrameState& frame);
 
+struct SmallPrims;
+
 /// What the blocks of a frame are drawn with; the same for all triangles.
 struct BlockState {
   core::TileRows rows;
@@ -37,8 +39,9 @@ struct BlockCounts {
   uint64_t stamps = 0, fragments = 0, interpolated = 0, passed = 0;
 };
 
-/// Draws the triangles of a group that are not dropped, in order. Bits: those of core::Renderer.
-void draw_blocks(const BlockState& state, const PrimGroup& group, BlockBuffer* buffer,
-                 BlockCounts* counts);
+/// Draws the triangles of a group that are not dropped, in order; those that are small as they are
+/// covered already. Bits: those of core::Renderer.
+void draw_blocks(const BlockState& state, const PrimGroup& group, const SmallPrims& small,
+                 BlockBuffer* buffer, BlockCounts* counts);
 
 }  // namespace pineda::fast

@@ -71,7 +71,8 @@ Renderer::Renderer(const spec::Contract& contract, const spec::FrameState& frame
                            BlockBuffer(contract, frame, counts_hits_),
                            {},
                            {},
-                           {}});
+                           {},
+                           0});
     if (has_setup_lanes(contract)) blocks_->lanes.emplace(contract, frame);
   } else {
     buffer_ = TiledBuffer(contract, frame);
@@ -137,9 +138,9 @@ Drop Renderer::draw(const spec::Triangle& triangle) {
   const Drop drop = set_up(triangle);
   if (drop != Drop::kNone) return drop;
   if (blocks_) {
-    blocks_->prims.drawn = 0;
-    put(contract_, prim_, 0, &blocks_->prims);
+    put(contract_, prim_, 0, blocks_->prims());
     draw_prims();
+    draw_last_prims();
   } else {
     draw_tiles();
   }
@@ -152,6 +153,7 @@ void Renderer::draw(const TriangleList& list) {
   for (size_t i = 0; i < list.groups().size(); ++i) {
     draw_group(list.groups()[i], std::min(kGroup, list.size() - i * kGroup));
   }
+  draw_last_prims();
 }
 
 void Renderer::draw(const spec::Triangle* triangles, size_t count) {
@@ -163,31 +165,40 @@ void Renderer::draw(const spec::Triangle* triangles, size_t count) {
       }
       draw_group(blocks_->triangles, n);
     } else if (blocks_) {
-      blocks_->prims.drawn = 0;
       for (size_t i = 0; i < n; ++i) {
-        if (set_up(triangles[begin + i]) == Drop::kNone) put(contract_, prim_, i, &blocks_->prims);
+        if (set_up(triangles[begin + i]) == Drop::kNone) put(contract_, prim_, i, blocks_->prims());
       }
       draw_prims();
     } else {
       for (size_t i = 0; i < n; ++i) draw(triangles[begin + i]);
     }
   }
+  if (blocks_) draw_last_prims();
 }
 
 void Renderer::draw_group(const TriangleGroup& triangles, size_t count) {
   counters_.triangles += count;
-  fast::set_up(*blocks_->lanes, triangles, count, &blocks_->prims, &counters_.dropped);
+  fast::set_up(*blocks_->lanes, triangles, count, blocks_->prims(), &counters_.dropped);
   draw_prims();
 }
 
-// All are set up before one is drawn: meanwhile the memories' lines arrive.
 void Renderer::draw_prims() {
-  const PrimGroup& prims = blocks_->prims;
-  for (uint32_t left = prims.drawn; left != 0; left &= left - 1) {
-    prefetch(blocks_->buffer, prims, static_cast<size_t>(__builtin_ctz(left)), rows_,
+  Blocks& b = *blocks_;
+  auto& [prims, small] = b.groups[b.current];
+  cover_small(b.state, prims, b.buffer, &small, &b.counts);
+  for (uint32_t left = prims.drawn & ~small.small; left != 0; left &= left - 1) {
+    prefetch(b.buffer, prims, static_cast<size_t>(__builtin_ctz(left)), rows_,
              contract_.design.tile_log2);
   }
-  draw_blocks(blocks_->state, prims, &blocks_->buffer, &blocks_->counts);
+  draw_last_prims();
+  b.current = 1 - b.current;
+}
+
+void Renderer::draw_last_prims() {
+  Blocks& b = *blocks_;
+  auto& [prims, small] = b.groups[1 - b.current];
+  if (prims.drawn != 0) draw_blocks(b.state, prims, small, &b.buffer, &b.counts);
+  prims.drawn = 0;
 }
 
 void Renderer::draw_tiles() {

@@ -6,6 +6,7 @@
 #include "model/core/frame.h"
 #include "model/fast/blocks.h"
 #include "model/fast/setup.h"
+#include "model/fast/small_prims.h"
 #include "model/fast/tile_shader.h"
 #include "model/fast/triangle_list.h"
 
@@ -44,11 +45,20 @@ class Renderer {
     BlockBuffer buffer;
     BlockCounts counts;
     TriangleGroup triangles;
-    PrimGroup prims;
+    // One is set up and covered, then the one before it is drawn: meanwhile the memories' lines arrive.
+    struct Group {
+      PrimGroup prims;
+      SmallPrims small;
+    };
+    std::array<Group, 2> groups;
+    size_t current = 0;
+
+    PrimGroup* prims() { return &groups[current].prims; }
   };
   core::Drop set_up(const spec::Triangle& triangle);
   void draw_group(const TriangleGroup& triangles, size_t count);
   void draw_prims();
+  void draw_last_prims();
   void draw_tiles();
   core::Drop draw_exactly(const spec::Triangle& triangle);
 

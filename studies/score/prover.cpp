@@ -57,19 +57,35 @@ class Circuit {
 };
 
 std::string circuit_script(const std::string& unit, const MutantNetlist& netlist,
-                           const ToolRuns& runs) {
-  const std::string legal =
-      runs.keep(text_of(files::data_folder() / "studies/score" / (unit + "_legal.sv")), ".sv");
+                           const ToolRuns& runs, bool cuts_multipliers) {
+  const auto kept = [&](const std::string& name, const std::string& ending) {
+    return runs.keep(text_of(files::data_folder() / "studies/score" / (name + ending)), ending);
+  };
+  const std::string cut =
+      cuts_multipliers ? fmt::format(
+                             "techmap -map {}\nselect -set factors w:*.factor_a w:*.factor_b\n"
+                             "rename -enumerate -pattern factor_% @factors\n"
+                             "expose w:factor_*\n",
+                             kept("cut_multipliers", ".v"))
+                       : "";
   return fmt::format(
       "read_rtlil {}\nread_verilog -sv -formal {} {}\nhierarchy -check -top {}_legal\n"
-      "proc\nflatten\nopt_clean\nmemory_map\nasync2sync\nopt_expr\nopt_clean\ndffunmap\n"
+      "proc\nflatten\nopt_clean\n{}memory_map\nasync2sync\nopt_expr\nopt_clean\ndffunmap\n"
       "simplemap\ntechmap\nsetundef -zero -init\naigmap\nopt_clean\n"
       "write_aiger -symbols -map {}/legal.map {}/legal.aig\n",
-      netlist.rtlil, netlist.package, legal, unit, kOut, kOut);
+      netlist.rtlil, netlist.package, kept(unit + "_legal", ".sv"), unit, cut, kOut, kOut);
 }
 
-/// Registers that are equal by induction become one; what is left is searched for a difference, and
-/// for a proof where none is found.
+/// Registers that are equal by induction become one; what is left is proven with free products.
+std::string cut_script(const std::string& original, const std::string& mutant) {
+  constexpr int kProofSeconds = 10, kMostSeconds = 60;
+  return fmt::format(
+      "! timeout -k 5 {3} yosys-abc -q \"miter {0} {1}; strash; scleanup; lcorr; strash; "
+      "pdr -T {2}; print_status\" 2>&1 | sed '/ was asserted in frame /d' > {4}/log || true\n",
+      original, mutant, kProofSeconds, kMostSeconds, kOut);
+}
+
+/// The same with products as they are, and a search for a difference before the proof.
 std::string proof_script(const std::string& original, const std::string& mutant) {
   constexpr int kSearchSeconds = 5, kProofSeconds = 10, kMostSeconds = 60;
   return fmt::format(
@@ -116,12 +132,16 @@ Decision decision_of(const std::string& log) {
 std::vector<Decision> decided(const std::string& unit, const MutantNetlist& netlist,
                               const std::vector<int>& mutants, const ToolRuns& runs) {
   if (mutants.empty()) return {};
-  const Circuit circuit(runs.run({{"yosys", circuit_script(unit, netlist, runs),
-                                   "mapping " + unit + " for the prover"}})
-                            .front());
-  const std::string original = runs.keep(circuit.with_mutant(0), ".aig");
+  std::map<bool, Circuit> circuits;  // by whether products are free
+  for (const bool is_cut : {true, false}) {
+    const ToolRun mapping{"yosys", circuit_script(unit, netlist, runs, is_cut),
+                          "mapping " + unit + " for the prover"};
+    circuits.emplace(is_cut, runs.run({mapping}).front());
+  }
   std::vector<Decision> decisions(mutants.size());
-  for (const auto script : {proof_script, abstraction_script}) {
+  for (const auto script : {cut_script, proof_script, abstraction_script}) {
+    const Circuit& circuit = circuits.at(script == cut_script);
+    const std::string original = runs.keep(circuit.with_mutant(0), ".aig");
     std::vector<size_t> open;
     std::vector<ToolRun> proofs;
     for (size_t i = 0; i < mutants.size(); ++i) {
