@@ -17,7 +17,7 @@ BlockBuffer::BlockBuffer(const spec::Contract& c, const spec::FrameState& frame,
       across(blocks_along(frame.width)),
       clear_depth(spec::cleared_depth(c.design, frame)) {
   const size_t blocks = across * blocks_along(height);
-  greatest.resize(blocks);
+  greatest.resize(blocks + kReadBeyond);
   lines.resize(blocks * kBlockLines);
   if (with_hits) hits.resize(blocks * kBlockSamples);
   clear();

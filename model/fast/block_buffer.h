@@ -20,6 +20,7 @@ static_assert(sizeof(SampleLine) == kLineBytes);
 /// Blocks of 8 x 8 samples, row by row; in a block, lines row by row. Blocks at the frame's border are
 /// stored whole.
 struct BlockBuffer {
+  static constexpr size_t kReadBeyond = 16;
   template <class T>
   using Samples = std::vector<T, CacheLineAllocator<T>>;
 
@@ -30,7 +31,8 @@ struct BlockBuffer {
   uint32_t clear_depth = 0;
   Samples<SampleLine> lines;
   Samples<uint16_t> hits;  // in the same order; empty unless hits are wanted
-  /// No depth stored in a block is greater, as long as writes only lower depths.
+  /// No depth stored in a block is greater, as long as writes only lower depths. Behind the last one some
+  /// more can be read.
   std::vector<uint32_t> greatest;
 
   BlockBuffer() = default;

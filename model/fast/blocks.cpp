@@ -526,6 +526,261 @@ HWY_INLINE void draw_tile(const State& s, const EdgePrim& prim, const Triangle& 
   }
 }
 
+// ---- Rows of tiles of one block each
+
+// What the tests of tiles side by side say, a bit each.
+struct RowTest {
+  uint32_t rejected = 0, accepted = 0, hidden = 0;
+  uint32_t ends = 0, follows = 0;  // where they reject: see TileSteps
+};
+
+// The tiles of a triangle as TileSteps walks through them, tested side by side. A tile that is drawn waits
+// for a few others, so that its memory's lines arrive meanwhile.
+template <When Test, class State>
+class BlockRows {
+ public:
+  HWY_INLINE BlockRows(const State& state, const EdgePrim& prim, const Triangle& triangle,
+                       BlockBuffer* memories, BlockCounts* all)
+      : s(state), p(prim), t(triangle), buffer(memories), counts(all) {
+    first_x = p.x0 / kBlockPx;
+    last_x = p.x1 / kBlockPx;
+    constexpr int64_t kToLast = kBlockPx - 1;
+    for (size_t k = 0; k < 3; ++k) {
+      const spec::EdgeFunction& edge = p.edge[k];
+      best[k] = (std::max<int64_t>(edge.a, 0) + std::max<int64_t>(edge.b, 0)) * kToLast;
+      worst[k] = (edge.a + edge.b) * kToLast - best[k];
+      across[k] = edge.a * kBlockPx;
+      at[k] = edge.e;
+      fill(across[k], &steps[k]);
+      falls_rightward |= edge.a < 0 ? 1U << k : 0;
+      falls_downward |= edge.b <= 0 ? 1U << k : 0;
+    }
+    if constexpr (Test == When::kAlways) return;
+    z_at = static_cast<uint64_t>(t.group.z_ref[t.i]);
+    z_across = static_cast<uint64_t>(t.group.z_dx[t.i]) * kBlockPx;
+    z_down = static_cast<uint64_t>(t.group.z_dy[t.i]) * kBlockPx;
+    fill(static_cast<int64_t>(z_across), &z_steps);
+  }
+
+  HWY_INLINE void draw() {
+    const bool turns =
+        (falls_rightward | falls_downward) != 7 && (falls_rightward & falls_downward) != 0;
+    const int first_y = p.y0 / kBlockPx;
+    const int last_y = std::min(p.y1 / kBlockPx, s.rows.last);
+    if (last_y < s.rows.first) return;
+    int start = first_x;
+    for (y = first_y; y <= last_y; ++y) {
+      const bool leftward = turns && y > first_y;
+      start = leftward ? walk<true>(start, false) : walk<false>(start, turns);
+      for (size_t k = 0; k < 3; ++k) at[k] += p.edge[k].b * kBlockPx;
+      z_at += z_down;
+    }
+    while (next_drawn != next) draw_oldest();
+  }
+
+ private:
+  static constexpr int kSide = 16;  // tiles tested side by side
+  static constexpr hn::CappedTag<int64_t, 8> kWords{};
+  static constexpr int kWordLanes = static_cast<int>(hn::MaxLanes(kWords));
+  using Words = hn::Vec<decltype(kWords)>;
+  using Each = std::array<int64_t, kSide>;
+  static constexpr size_t kWaiting = 16, kAhead = 12;
+
+  struct Waiting {
+    std::array<int32_t, 3> e;
+    int64_t z;
+    uint64_t box;
+    size_t number;
+    int x;
+    int y;
+    bool is_inside, is_hidden;
+  };
+
+  static HWY_INLINE void fill(int64_t step, Each* steps) {
+    int64_t value = 0;
+    for (int64_t& each : *steps) {
+      each = value;
+      value = static_cast<int64_t>(static_cast<uint64_t>(value) + static_cast<uint64_t>(step));
+    }
+  }
+  static HWY_INLINE uint32_t bits(hn::Mask<decltype(kWords)> mask) {
+    uint8_t byte = 0;
+    hn::StoreMaskBits(kWords, mask, &byte);
+    return byte & ((1U << kWordLanes) - 1);
+  }
+  static HWY_INLINE uint32_t ones_below(int n) { return static_cast<uint32_t>((1U << n) - 1); }
+
+  // The tiles of this row from x on.
+  HWY_INLINE RowTest test(int x, uint32_t ends, uint32_t follows) {
+    RowTest test;
+    const int64_t columns = x - first_x;
+    for (int i = 0; i < kSide; i += kWordLanes) {
+      const Words zero = hn::Zero(kWords);
+      Words worst_of_all = zero;
+      uint32_t rejected = 0;
+      for (size_t k = 0; k < 3; ++k) {
+        const Words e = hn::Add(hn::Set(kWords, at[k] + across[k] * columns),
+                                hn::Load(kWords, steps[k].data() + i));
+        const uint32_t rejects = bits(hn::Lt(hn::Add(e, hn::Set(kWords, best[k])), zero));
+        rejected |= rejects;
+        if ((ends >> k & 1) != 0) test.ends |= rejects << i;
+        if ((follows >> k & 1) != 0) test.follows |= rejects << i;
+        worst_of_all = hn::Or(worst_of_all, hn::Add(e, hn::Set(kWords, worst[k])));
+        // As TileSteps::lowered().
+        hn::Store(hn::Min(e, hn::Set(kWords, -worst[k])), kWords, lowered[k].data() + i);
+      }
+      test.rejected |= rejected << i;
+      test.accepted |= bits(hn::Not(hn::Lt(worst_of_all, zero))) << i;
+      if constexpr (Test != When::kAlways) {
+        const Words z = hn::Add(
+            hn::Set(kWords, static_cast<int64_t>(z_at + z_across * static_cast<uint64_t>(columns))),
+            hn::Load(kWords, z_steps.data() + i));
+        const Words half = hn::Set(kWords, (int64_t{1} << s.dropped_bits) >> 1);
+        const int above = 64 - s.depth_plane_bits;
+        const Words kept = hn::ShiftRightSame(hn::ShiftLeftSame(hn::Add(z, half), above),
+                                              above + s.dropped_bits);
+        hn::Store(kept, kWords, depths.data() + i);
+        if constexpr (Test == When::kLess || Test == When::kLequal) {
+          const int64_t rounded = t.tile.z_fall[t.i] + ((int64_t{1} << s.fraction_bits) >> 1);
+          const Words least =
+              hn::ShiftRightSame(hn::Add(kept, hn::Set(kWords, rounded)), s.fraction_bits);
+          const hn::Rebind<uint32_t, decltype(kWords)> d;
+          const size_t number = buffer->block(x * kBlockPx, y * kBlockPx) + static_cast<size_t>(i);
+          const Words greatest =
+              hn::BitCast(kWords, hn::PromoteTo(hn::RebindToUnsigned<decltype(kWords)>(),
+                                                hn::LoadU(d, buffer->greatest.data() + number)));
+          test.hidden |= bits(Test == When::kLess ? hn::Not(hn::Lt(least, greatest))
+                                                  : hn::Lt(greatest, least))
+                         << i;
+        }
+      }
+    }
+    if (t.tile.z_is_flat[t.i] == 0) test.hidden = 0;
+    return test;
+  }
+
+  // One row; where the next one starts.
+  template <bool Leftward>
+  HWY_INLINE int walk(int start, bool to_the_end) {
+    const uint32_t ahead = Leftward ? ~falls_rightward : falls_rightward;
+    const uint32_t ends = to_the_end ? 0 : ahead;
+    const uint32_t follows = to_the_end ? 0 : ~ahead & falls_downward;
+    const int end = Leftward ? first_x : last_x;
+    int next_start = start;
+    bool past = false, follows_on = true;
+    for (int x = start; Leftward ? x >= end : x <= end;) {
+      const int n = std::min((Leftward ? x - end : end - x) + 1, kSide);
+      const int left = Leftward ? x - n + 1 : x;
+      const RowTest row = test(left, ends, follows);
+      // Tiles by their number in the walk.
+      const auto ordered = [n](uint32_t tiles) HWY_ATTR {
+        return Leftward ? reversed(tiles) >> (kSide - n) : tiles;
+      };
+      const uint32_t ending = ordered(row.ends) & ones_below(n);
+      const int last = ending != 0 ? __builtin_ctz(ending) : n;  // after it there is one more
+      const int tested = past ? 1 : std::min(last + 2, n);
+      if (follows_on && !past) {
+        // The start moves on from each tile but the end.
+        const int until = std::min({n, last + 1, Leftward ? x - end : end - x});
+        const int moves = std::min(__builtin_ctz(~ordered(row.follows)), until);
+        next_start += Leftward ? -moves : moves;
+        follows_on = moves == n;
+      }
+      if (y >= s.rows.first) {
+        take(row, left, Leftward ? ones_below(tested) << (n - tested) : ones_below(tested));
+      }
+      if (past || last + 1 < n || (y < s.rows.first && !follows_on)) break;
+      past = last + 1 == n;
+      x += Leftward ? -n : n;
+    }
+    return to_the_end ? end : next_start;
+  }
+  static HWY_INLINE uint32_t reversed(uint32_t tiles) {
+    tiles = (tiles >> 1 & 0x5555) | (tiles & 0x5555) << 1;
+    tiles = (tiles >> 2 & 0x3333) | (tiles & 0x3333) << 2;
+    tiles = (tiles >> 4 & 0x0f0f) | (tiles & 0x0f0f) << 4;
+    return (tiles >> 8 & 0xff) | (tiles & 0xff) << 8;
+  }
+
+  HWY_INLINE void take(const RowTest& row, int left, uint32_t tested) {
+    counts->tiles_tested += ones(tested);
+    counts->tiles_rejected += ones(tested & row.rejected);
+    uint32_t kept = tested & ~row.rejected;
+    counts->tiles_accepted += ones(kept & row.accepted);
+    // The box, from the row's corner.
+    const int y0 = std::max(p.y0 - y * kBlockPx, 0);
+    const int y1 = std::min(p.y1 - y * kBlockPx, kBlockPx - 1);
+    const uint32_t left_out = row.hidden & row.accepted;
+    for (; kept != 0; kept &= kept - 1) {
+      const int i = __builtin_ctz(kept);
+      const int x = (left + i) * kBlockPx;
+      const bool is_inside = (row.accepted >> i & 1) != 0;
+      const uint64_t box =
+          box_of(std::max(p.x0 - x, 0), y0, std::min(p.x1 - x, kBlockPx - 1), y1);
+      if ((left_out >> i & 1) != 0 && !s.counts_hits) {
+        counts->fragments += ones(box);
+        counts->stamps += stamps_of(s, box);
+        continue;
+      }
+      const size_t at_tile = static_cast<size_t>(i);
+      const size_t number = buffer->block(x, y * kBlockPx);
+      const bool is_hidden = (row.hidden >> i & 1) != 0;
+      if (!is_hidden) prefetch(number, y0, y1);
+      waiting[next++ % kWaiting] = {{static_cast<int32_t>(lowered[0][at_tile]),
+                                     static_cast<int32_t>(lowered[1][at_tile]),
+                                     static_cast<int32_t>(lowered[2][at_tile])},
+                                    depths[at_tile],
+                                    box,
+                                    number,
+                                    x,
+                                    y * kBlockPx,
+                                    is_inside,
+                                    is_hidden};
+      if (next - next_drawn > kAhead) draw_oldest();
+    }
+  }
+  HWY_INLINE void prefetch(size_t number, int y0, int y1) const {
+    const SampleLine* const lines = buffer->lines.data() + number * kBlockLines;
+    for (int line = y0 / kLineHeightPx * 2; line <= y1 / kLineHeightPx * 2 + 1; ++line) {
+      __builtin_prefetch(lines + line, 1);
+    }
+  }
+
+  HWY_INLINE void draw_oldest() {
+    const Waiting& w = waiting[next_drawn++ % kWaiting];
+    Block block;
+    block.e = w.e;
+    block.z = w.z;
+    block.box = w.box;
+    block.is_inside = w.is_inside;
+    const auto stamps = [this](uint64_t samples) HWY_ATTR { return stamps_of(s, samples); };
+    if (w.is_hidden) {
+      return count(draw_block<Test, true>(s, t, block, w.number, buffer), stamps, counts);
+    }
+    const Pairs color = t.colors_at(s, w.x - first_x * kBlockPx, w.y - p.y0 / kBlockPx * kBlockPx);
+    block.low = PairSlope::repeat(color.low);
+    block.high = PairSlope::repeat(color.high);
+    count(draw_block<Test, false>(s, t, block, w.number, buffer), stamps, counts);
+  }
+
+  const State& s;
+  const EdgePrim& p;
+  const Triangle& t;
+  BlockBuffer* const buffer;
+  BlockCounts* const counts;
+  int first_x, last_x;  // tiles
+  int y = 0;
+  uint32_t falls_rightward = 0, falls_downward = 0;  // edges
+  std::array<int64_t, 3> at, best, worst, across;    // E' in the row's first tile; as in TileSteps
+  uint64_t z_at = 0, z_across = 0, z_down = 0;
+  alignas(64) std::array<Each, 3> steps;  // from tile to tile
+  alignas(64) Each z_steps;
+  alignas(64) std::array<Each, 3> lowered;  // of the tiles tested last
+  alignas(64) Each depths{};
+  std::array<Waiting, kWaiting> waiting;
+  size_t next = 0, next_drawn = 0;
+};
+
 // ---- Small triangles
 
 // How many stamps have one of these samples, x + 8y from a stamp's corner.
@@ -568,7 +823,11 @@ HWY_INLINE void draw_small(const State& s, const PrimGroup& group, const SmallPr
       pass = passes<Test>(s.when, sample.depth, stored);
       if (s.writes_depth) line.depth[at] = pass ? sample.depth : stored;
     }
-    if (s.channels > 0) line.color[at] = pass ? sample.color : line.color[at];
+    if (s.channels > 0) {
+      // No branch: whether a sample passes cannot be predicted.
+      const uint32_t changed = pass ? ~uint32_t{0} : 0;
+      line.color[at] ^= (line.color[at] ^ sample.color) & changed;
+    }
     outcome.passed |= uint64_t{pass} << sample.bit;
   }
   const int to_stamp = (group.x0[i] & ((1 << s.stamp_width_log2) - 1)) +
@@ -593,6 +852,10 @@ HWY_INLINE void draw(const State& s, const PrimGroup& group, const SmallPrims& s
     }
     const EdgePrim prim(group, i);
     const Triangle t(s, group, slopes, i);
+    if (s.tile_log2 == 3 && prim.x1 / kBlockPx - prim.x0 / kBlockPx >= 3) {
+      BlockRows<Test, State>(s, prim, t, buffer, counts).draw();
+      continue;
+    }
     TileSteps tile;
     tile.begin(prim, s.tile_log2, s.rows);
     while (!tile.ended()) {
