@@ -73,7 +73,7 @@ void measure_setup(State& state, const std::string& scene) {
   std::array<uint64_t, core::kDropCauses> drops{};
   for ([[maybe_unused]] auto _ : state) {
     for (const fast::TriangleGroup& group : triangles.groups()) {
-      fast::set_up(lanes, group, fast::kGroup, &prims, &drops);
+      fast::set_up(lanes, group, fast::kGroup, ~0U, &prims, &drops);
       benchmark::DoNotOptimize(&prims);
       benchmark::ClobberMemory();
     }

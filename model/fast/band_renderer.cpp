@@ -6,46 +6,83 @@ namespace pineda::fast {
 
 namespace {
 
-template <class Work>
-void for_each_band(const std::vector<std::unique_ptr<Renderer>>& bands, Work work) {
-  std::vector<std::thread> others;
-  for (size_t i = 1; i < bands.size(); ++i) others.emplace_back(work, bands[i].get());
-  work(bands[0].get());
-  for (auto& thread : others) thread.join();
-}
+// So that no thread has to wait long for the last band.
+constexpr int kBandsPerThread = 8;
+// Groups of triangles that are sorted before they are drawn: as many as the caches hold.
+constexpr size_t kSorted = 4096;
 
 }  // namespace
 
 BandRenderer::BandRenderer(const spec::Contract& contract, const spec::FrameState& frame,
                            int threads, Renderer::Hits hits) {
-  const int rows = ((frame.height - 1) >> contract.design.tile_log2) + 1;
-  const int bands = std::min(threads, rows);
+  const int log2 = contract.design.tile_log2;
+  const int rows = ((frame.height - 1) >> log2) + 1;
+  const int used = std::min(threads, rows);
+  const int bands = used == 1 ? 1 : std::min(used * kBandsPerThread, rows);
   for (int i = 0; i < bands; ++i) {
     const core::TileRows band{rows * i / bands, rows * (i + 1) / bands - 1};
     bands_.push_back(std::make_unique<Renderer>(contract, frame, band, hits));
+    tops_.push_back(band.first << (log2 + contract.design.subpixel_bits));
   }
+  crew_ = std::make_unique<Crew>(used);
+  bins_.assign(static_cast<size_t>(used), Bins(bands_.size(), TriangleList(contract, frame)));
 }
 
 void BandRenderer::clear() {
-  for_each_band(bands_, [](Renderer* band) { band->clear(); });
+  crew_->each(bands_.size(), [this](size_t band) { bands_[band]->clear(); });
 }
 
+// Triangles as they are, in all bands: the first one counts them.
 void BandRenderer::draw(const std::vector<spec::Triangle>& triangles) {
-  for_each_band(bands_,
-                [&triangles](Renderer* band) { band->draw(triangles.data(), triangles.size()); });
+  crew_->each(bands_.size(), [&](size_t band) {
+    bands_[band]->draw(triangles.data(), triangles.size(), band == 0);
+  });
 }
 
 void BandRenderer::draw(const TriangleList& list) {
-  for_each_band(bands_, [&list](Renderer* band) { band->draw(list); });
+  if (!list.is_grouped()) return draw(list.whole());
+  if (bands_.size() == 1) return bands_[0]->draw(list);
+  const size_t groups = list.groups().size();
+  for (size_t first = 0; first < groups; first += kSorted) {
+    draw_groups(list, first, std::min(first + kSorted, groups));
+  }
+}
+
+void BandRenderer::draw_groups(const TriangleList& list, size_t first, size_t last) {
+  const size_t parts = bins_.size(), n = last - first;
+  crew_->each(parts, [&](size_t part) {
+    sort(list, first + n * part / parts, first + n * (part + 1) / parts, &bins_[part]);
+  });
+  crew_->each(bands_.size(), [this](size_t band) {
+    for (const Bins& bins : bins_) bands_[band]->draw(bins[band]);
+  });
+}
+
+// Puts triangles into the bands of their topmost to their lowest vertex; each counts in the first one.
+void BandRenderer::sort(const TriangleList& list, size_t first, size_t last, Bins* bins) const {
+  for (TriangleList& bin : *bins) bin.clear();
+  const auto band_of = [this](int y) {
+    const auto below = std::upper_bound(tops_.begin() + 1, tops_.end(), y);
+    return static_cast<size_t>(below - tops_.begin()) - 1;
+  };
+  for (size_t g = first; g < last; ++g) {
+    const TriangleGroup& group = list.groups()[g];
+    for (size_t i = 0; i < list.in_group(g); ++i) {
+      const auto [top, bottom] = std::minmax({group.y[0][i], group.y[1][i], group.y[2][i]});
+      const size_t top_band = band_of(top), bottom_band = band_of(bottom);
+      const bool counted = (list.counted()[g] >> i & 1) != 0;
+      for (size_t band = top_band; band <= bottom_band; ++band) {
+        (*bins)[band].push_back(group, i, counted && band == top_band);
+      }
+    }
+  }
 }
 
 core::FrameCounters BandRenderer::counters() const {
-  core::FrameCounters sum = bands_[0]->counters();  // setup's counts are the same in each band
-  for (size_t i = 1; i < bands_.size(); ++i) {
-    for (const core::FrameCounter& row : core::kFrameCounters) {
-      const bool of_triangles = row.is_drop() || row.member == &core::FrameCounters::triangles;
-      if (!of_triangles) row.of(sum) += row.of(bands_[i]->counters());
-    }
+  core::FrameCounters sum;
+  for (const auto& band : bands_) {
+    const core::FrameCounters of_band = band->counters();
+    for (const core::FrameCounter& row : core::kFrameCounters) row.of(sum) += row.of(of_band);
   }
   return sum;
 }

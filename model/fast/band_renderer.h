@@ -2,17 +2,17 @@
 #pragma once
 
 #include <memory>
-#include <thread>
 #include <vector>
 
+#include "model/fast/crew.h"
 #include "model/fast/renderer.h"
 
 namespace pineda::fast {
 
-/// Draws a frame in bands of tile rows, one thread a band. Every band sets every triangle up again,
-/// so that no thread waits for another.
+/// Draws a frame in bands of tile rows, each by the first thread that is free. Triangles are sorted into
+/// the bands that they may touch, in their order, before any band is drawn.
 ///
-/// Bits     those of core::Renderer, and its counters, whatever the number of bands.
+/// Bits     those of core::Renderer, and its counters, whatever the number of threads.
 class BandRenderer {
  public:
   /// threads >= 1; more than there are rows of tiles are not used.
@@ -26,7 +26,15 @@ class BandRenderer {
   core::FrameBuffer buffer() const;
 
  private:
+  using Bins = std::vector<TriangleList>;  // by band
+
+  void draw_groups(const TriangleList& list, size_t first, size_t last);
+  void sort(const TriangleList& list, size_t first, size_t last, Bins* bins) const;
+
   std::vector<std::unique_ptr<Renderer>> bands_;
+  std::vector<int> tops_;   // of each band, subpixels; the first one has all that is above
+  std::vector<Bins> bins_;  // of each part of a list, in order
+  std::unique_ptr<Crew> crew_;
 };
 
 }  // namespace pineda::fast

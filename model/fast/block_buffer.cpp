@@ -10,13 +10,19 @@ constexpr size_t blocks_along(int px) { return static_cast<size_t>((px - 1) / kB
 
 }  // namespace
 
-BlockBuffer::BlockBuffer(const spec::Contract& c, const spec::FrameState& frame, bool with_hits)
+BlockBuffer::BlockBuffer(const spec::Contract& c, const spec::FrameState& frame,
+                         core::TileRows wanted, bool with_hits)
     : width(frame.width),
       height(frame.height),
       channels(spec::channels(c.design)),
       across(blocks_along(frame.width)),
       clear_depth(spec::cleared_depth(c.design, frame)) {
-  const size_t blocks = across * blocks_along(height);
+  // Tiles are made of whole blocks.
+  const int log2 = c.design.tile_log2;
+  const int last = std::min(wanted.last, (height - 1) >> log2);
+  top = wanted.first << log2;
+  rows = std::min((last + 1) << log2, height) - top;
+  const size_t blocks = across * blocks_along(rows);
   greatest.resize(blocks + kReadBeyond);
   lines.resize(blocks * kBlockLines);
   if (with_hits) hits.resize(blocks * kBlockSamples);
@@ -31,9 +37,9 @@ void BlockBuffer::clear() {
   std::fill(hits.begin(), hits.end(), 0);
 }
 
-void BlockBuffer::copy_rows(int first, int last, core::FrameBuffer* to) const {
+void BlockBuffer::copy_to(core::FrameBuffer* to) const {
   const auto n = static_cast<size_t>(channels);
-  for (int y = first; y <= std::min(last, height - 1); ++y) {
+  for (int y = top; y < top + rows; ++y) {
     for (int x = 0; x < width; ++x) {
       const size_t line = this->line(x, y);
       const int sample_in_line = y % kLineHeightPx * kLineWidthPx + x % kLineWidthPx;

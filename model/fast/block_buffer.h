@@ -18,7 +18,7 @@ struct alignas(kLineBytes) SampleLine {
 static_assert(sizeof(SampleLine) == kLineBytes);
 
 /// Blocks of 8 x 8 samples, row by row; in a block, lines row by row. Blocks at the frame's border are
-/// stored whole.
+/// stored whole. Only the rows of tiles that are wanted are stored.
 struct BlockBuffer {
   static constexpr size_t kReadBeyond = 16;
   template <class T>
@@ -28,6 +28,8 @@ struct BlockBuffer {
   int height = 0;
   int channels = 0;   // 0 to 4
   size_t across = 0;  // blocks
+  int top = 0;        // the first row of samples that is stored, and how many are
+  int rows = 0;
   uint32_t clear_depth = 0;
   Samples<SampleLine> lines;
   Samples<uint16_t> hits;  // in the same order; empty unless hits are wanted
@@ -36,12 +38,13 @@ struct BlockBuffer {
   std::vector<uint32_t> greatest;
 
   BlockBuffer() = default;
-  BlockBuffer(const spec::Contract& contract, const spec::FrameState& frame, bool with_hits);
+  BlockBuffer(const spec::Contract& contract, const spec::FrameState& frame, core::TileRows wanted,
+              bool with_hits);
   void clear();
 
   /// The block with the sample of pixel x, y.
   size_t block(int x, int y) const {
-    return static_cast<size_t>(y / kBlockPx) * across + static_cast<size_t>(x / kBlockPx);
+    return static_cast<size_t>((y - top) / kBlockPx) * across + static_cast<size_t>(x / kBlockPx);
   }
   /// The line with that sample.
   size_t line(int x, int y) const {
@@ -54,8 +57,8 @@ struct BlockBuffer {
     return static_cast<size_t>(x / kBlockPx) * kBlockLines +
            static_cast<size_t>(x % kBlockPx / kLineWidthPx);
   }
-  /// Copies rows of samples, first to last, as far as the frame goes, to a buffer of this frame.
-  void copy_rows(int first, int last, core::FrameBuffer* to) const;
+  /// Copies what is stored to a buffer of the whole frame.
+  void copy_to(core::FrameBuffer* to) const;
 };
 
 }  // namespace pineda::fast

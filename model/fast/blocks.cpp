@@ -640,7 +640,8 @@ class BlockRows {
         const Words kept = hn::ShiftRightSame(hn::ShiftLeftSame(hn::Add(z, half), above),
                                               above + s.dropped_bits);
         hn::Store(kept, kWords, depths.data() + i);
-        if constexpr (Test == When::kLess || Test == When::kLequal) {
+        // Rows above those that are wanted have no memory.
+        if ((Test == When::kLess || Test == When::kLequal) && y >= s.rows.first) {
           const int64_t rounded = t.tile.z_fall[t.i] + ((int64_t{1} << s.fraction_bits) >> 1);
           const Words least =
               hn::ShiftRightSame(hn::Add(kept, hn::Set(kWords, rounded)), s.fraction_bits);

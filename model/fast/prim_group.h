@@ -32,6 +32,14 @@ struct alignas(64) TriangleGroup {
       color[v][i] = bytes;
     }
   }
+  void copy(size_t i, const TriangleGroup& from, size_t j) {
+    for (size_t v = 0; v < 3; ++v) {
+      x[v][i] = from.x[v][j];
+      y[v][i] = from.y[v][j];
+      z[v][i] = from.z[v][j];
+      color[v][i] = from.color[v][j];
+    }
+  }
 };
 
 /// What spec::SetupPrim has of each triangle; planes without the upper bits that blocks do not need.

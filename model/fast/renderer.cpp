@@ -14,7 +14,8 @@ namespace {
 PINEDA_INLINE void prefetch(const BlockBuffer& buffer, const PrimGroup& g, size_t i,
                             core::TileRows rows, int tile_log2) {
   if (g.y0[i] >> tile_log2 < rows.first || g.y0[i] >> tile_log2 > rows.last) return;
-  const int last_y = std::min(g.y1[i], (g.y0[i] | (kBlockPx - 1)) + kBlockPx);
+  const int last_y = std::min({g.y1[i], (g.y0[i] | (kBlockPx - 1)) + kBlockPx,
+                               buffer.top + buffer.rows - 1});
   const int last_x = std::min(g.x1[i], (g.x0[i] | (kBlockPx - 1)) + kBlockPx);
   for (int y = g.y0[i] & -kLineHeightPx; y <= last_y; y += kLineHeightPx) {
     const size_t row = buffer.line(0, y);
@@ -68,7 +69,7 @@ Renderer::Renderer(const spec::Contract& contract, const spec::FrameState& frame
   if (has_blocks(contract, frame)) {
     blocks_.emplace(Blocks{BlockState(contract, frame, rows, counts_hits_),
                            {},
-                           BlockBuffer(contract, frame, counts_hits_),
+                           BlockBuffer(contract, frame, rows, counts_hits_),
                            {},
                            {},
                            {},
@@ -92,7 +93,7 @@ void Renderer::clear() {
 core::FrameBuffer Renderer::buffer() const {
   core::FrameBuffer all(contract_, frame_);
   if (blocks_) {
-    blocks_->buffer.copy_rows(0, frame_.height - 1, &all);
+    blocks_->buffer.copy_to(&all);
   } else {
     buffer_.copy_rows(0, buffer_.tile_rows - 1, &all);
   }
@@ -100,12 +101,11 @@ core::FrameBuffer Renderer::buffer() const {
 }
 
 void Renderer::copy_rows(core::FrameBuffer* to) const {
-  const int log2 = contract_.design.tile_log2;
-  const int last = std::min(rows_.last, (frame_.height - 1) >> log2);
   if (blocks_) {
-    blocks_->buffer.copy_rows(rows_.first << log2, ((last + 1) << log2) - 1, to);
+    blocks_->buffer.copy_to(to);
   } else {
-    buffer_.copy_rows(rows_.first, last, to);
+    const int last = (frame_.height - 1) >> contract_.design.tile_log2;
+    buffer_.copy_rows(rows_.first, std::min(rows_.last, last), to);
   }
 }
 
@@ -151,19 +151,20 @@ void Renderer::draw(const TriangleList& list) {
   if (!list.is_grouped()) return draw(list.whole().data(), list.whole().size());
   if (!blocks_ || !blocks_->lanes) throw std::logic_error("a list for a frame of another state");
   for (size_t i = 0; i < list.groups().size(); ++i) {
-    draw_group(list.groups()[i], std::min(kGroup, list.size() - i * kGroup));
+    draw_group(list.groups()[i], list.in_group(i), list.counted()[i]);
   }
   draw_last_prims();
 }
 
-void Renderer::draw(const spec::Triangle* triangles, size_t count) {
+void Renderer::draw(const spec::Triangle* triangles, size_t count, bool counted) {
+  const core::FrameCounters before = counters_;
   for (size_t begin = 0; begin < count; begin += kGroup) {
     const size_t n = std::min(kGroup, count - begin);
     if (blocks_ && blocks_->lanes) {
       for (size_t i = 0; i < n; ++i) {
         blocks_->triangles.set(i, triangles[begin + i], blocks_->state.channels);
       }
-      draw_group(blocks_->triangles, n);
+      draw_group(blocks_->triangles, n, counted ? ~0U : 0);
     } else if (blocks_) {
       for (size_t i = 0; i < n; ++i) {
         if (set_up(triangles[begin + i]) == Drop::kNone) put(contract_, prim_, i, blocks_->prims());
@@ -174,11 +175,15 @@ void Renderer::draw(const spec::Triangle* triangles, size_t count) {
     }
   }
   if (blocks_) draw_last_prims();
+  if (counted) return;
+  counters_.triangles = before.triangles;
+  counters_.dropped = before.dropped;
 }
 
-void Renderer::draw_group(const TriangleGroup& triangles, size_t count) {
-  counters_.triangles += count;
-  fast::set_up(*blocks_->lanes, triangles, count, blocks_->prims(), &counters_.dropped);
+void Renderer::draw_group(const TriangleGroup& triangles, size_t count, uint32_t counted) {
+  counters_.triangles +=
+      static_cast<uint64_t>(__builtin_popcount(counted & ((1U << count) - 1)));
+  fast::set_up(*blocks_->lanes, triangles, count, counted, blocks_->prims(), &counters_.dropped);
   draw_prims();
 }
 

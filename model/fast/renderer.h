@@ -34,7 +34,8 @@ class Renderer {
 
   void clear();
   core::Drop draw(const spec::Triangle& triangle);
-  void draw(const spec::Triangle* triangles, size_t count);
+  /// Not `counted`: the triangles are in no count, though their tiles, stamps and samples are.
+  void draw(const spec::Triangle* triangles, size_t count, bool counted = true);
   void draw(const TriangleList& list);
 
  private:
@@ -56,7 +57,7 @@ class Renderer {
     PrimGroup* prims() { return &groups[current].prims; }
   };
   core::Drop set_up(const spec::Triangle& triangle);
-  void draw_group(const TriangleGroup& triangles, size_t count);
+  void draw_group(const TriangleGroup& triangles, size_t count, uint32_t counted);
   void draw_prims();
   void draw_last_prims();
   void draw_tiles();

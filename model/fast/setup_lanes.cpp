@@ -17,7 +17,7 @@ namespace {
 
 #if HWY_TARGET == HWY_SCALAR
 // No vectors: has_blocks() says so.
-void set_up_lanes(const SetupLanes&, const TriangleGroup&, size_t, PrimGroup*,
+void set_up_lanes(const SetupLanes&, const TriangleGroup&, size_t, uint32_t, PrimGroup*,
                   std::array<uint64_t, core::kDropCauses>*) {}
 #else
 
@@ -306,7 +306,7 @@ HWY_INLINE void store_colors(const SetupLanes& s, const Vertices& v, const Diffe
 
 // ---- A part of a group: returns the lanes that are drawn.
 HWY_INLINE uint32_t set_up_part(const SetupLanes& s, const TriangleGroup& t, size_t i,
-                                uint32_t wanted, PrimGroup* g,
+                                uint32_t wanted, uint32_t counted, PrimGroup* g,
                                 std::array<uint64_t, core::kDropCauses>* drops) {
   Vertices v = load_vertices(s, t, i);
   const Words flat = v.value[0];
@@ -317,7 +317,8 @@ HWY_INLINE uint32_t set_up_part(const SetupLanes& s, const TriangleGroup& t, siz
 
   uint32_t left = wanted;
   const auto drop = [&](core::Drop cause, uint32_t lanes) HWY_ATTR {
-    (*drops)[static_cast<size_t>(cause)] += static_cast<uint64_t>(__builtin_popcount(left & lanes));
+    (*drops)[static_cast<size_t>(cause)] +=
+        static_cast<uint64_t>(__builtin_popcount(left & lanes & counted));
     left &= ~lanes;
   };
   drop(core::Drop::kZeroArea, lanes_of(hn::Eq(signed_area2, zero)));
@@ -352,16 +353,16 @@ HWY_INLINE uint32_t set_up_part(const SetupLanes& s, const TriangleGroup& t, siz
   return left;
 }
 
-void set_up_lanes(const SetupLanes& s, const TriangleGroup& t, size_t count, PrimGroup* g,
-                  std::array<uint64_t, core::kDropCauses>* drops) {
+void set_up_lanes(const SetupLanes& s, const TriangleGroup& t, size_t count, uint32_t counted,
+                  PrimGroup* g, std::array<uint64_t, core::kDropCauses>* drops) {
   const uint32_t all = (1U << count) - 1;
   g->drawn = 0;
   for (size_t i = 0; i < count; i += kN) {
     const uint32_t wanted = all >> i & ((1U << kN) - 1);
-    g->drawn |= set_up_part(s, t, i, wanted, g, drops) << i;
+    g->drawn |= set_up_part(s, t, i, wanted, counted >> i, g, drops) << i;
   }
   (*drops)[static_cast<size_t>(core::Drop::kNone)] +=
-      static_cast<uint64_t>(__builtin_popcount(g->drawn));
+      static_cast<uint64_t>(__builtin_popcount(g->drawn & counted));
 }
 
 #endif
@@ -429,9 +430,9 @@ SetupLanes::SetupLanes(const spec::Contract& contract, const spec::FrameState& f
 
 HWY_EXPORT(set_up_lanes);
 
-void set_up(const SetupLanes& lanes, const TriangleGroup& triangles, size_t count, PrimGroup* prims,
-            std::array<uint64_t, core::kDropCauses>* drops) {
-  HWY_DYNAMIC_DISPATCH(set_up_lanes)(lanes, triangles, count, prims, drops);
+void set_up(const SetupLanes& lanes, const TriangleGroup& triangles, size_t count, uint32_t counted,
+            PrimGroup* prims, std::array<uint64_t, core::kDropCauses>* drops) {
+  HWY_DYNAMIC_DISPATCH(set_up_lanes)(lanes, triangles, count, counted, prims, drops);
 }
 
 }  // namespace pineda::fast

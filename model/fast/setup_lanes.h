@@ -29,10 +29,11 @@ struct SetupLanes {
   SetupLanes(const spec::Contract& contract, const spec::FrameState& frame);
 };
 
-/// Sets up the first `count` triangles of a group and adds those dropped to *drops, by their cause.
+/// Sets up the first `count` triangles of a group. Adds those of `counted`, a bit each, to *drops by their
+/// cause; what is drawn has one, too.
 ///
 /// Bits     those of core::setup().
-void set_up(const SetupLanes& lanes, const TriangleGroup& triangles, size_t count, PrimGroup* prims,
-            std::array<uint64_t, core::kDropCauses>* drops);
+void set_up(const SetupLanes& lanes, const TriangleGroup& triangles, size_t count, uint32_t counted,
+            PrimGroup* prims, std::array<uint64_t, core::kDropCauses>* drops);
 
 }  // namespace pineda::fast

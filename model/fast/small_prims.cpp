@@ -288,7 +288,7 @@ HWY_INLINE void place(const Box& box, const BlockBuffer& buffer, int columns, in
     store(hn::Add(block, hn::Add(line, bits(x, 3))), &scratch->column[static_cast<size_t>(i)]);
   }
   const auto row_words = static_cast<uint32_t>(buffer.across) * kBlockWords;
-  Codes y = hn::BitCast(kCodes, box.y0);
+  Codes y = hn::BitCast(kCodes, hn::Sub(box.y0, ints(buffer.top)));
   for (int j = 0; j < rows; ++j, y = hn::Add(y, hn::Set(kCodes, 1))) {
     const Codes block = hn::Mul(hn::ShiftRight<3>(y), hn::Set(kCodes, row_words));
     const Codes line = hn::Mul(bits(hn::ShiftRight<1>(y), 3), hn::Set(kCodes, 2 * kLineWords));
