@@ -372,7 +372,7 @@ struct Cursor {
 
 // Draws the covered samples of a block; Hidden: none of them passes.
 template <When Test, bool Hidden, class State>
-HWY_INLINE Outcome draw_block(const State& s, const Triangle& t, const Block& block, size_t number,
+HWY_NOINLINE Outcome draw_block(const State& s, const Triangle& t, const Block& block, size_t number,
                               BlockBuffer* buffer) {
   Outcome outcome;
   constexpr int kPairBits = static_cast<int>(kPair);
@@ -571,7 +571,7 @@ class BlockRows {
     int start = first_x;
     for (y = first_y; y <= last_y; ++y) {
       const bool leftward = turns && y > first_y;
-      start = leftward ? walk<true>(start, false) : walk<false>(start, turns);
+      start = walk(start, leftward, turns && !leftward);
       for (size_t k = 0; k < 3; ++k) at[k] += p.edge[k].b * kBlockPx;
       z_at += z_down;
     }
@@ -661,38 +661,37 @@ class BlockRows {
   }
 
   // One row; where the next one starts.
-  template <bool Leftward>
-  HWY_INLINE int walk(int start, bool to_the_end) {
-    const uint32_t ahead = Leftward ? ~falls_rightward : falls_rightward;
+  HWY_INLINE int walk(int start, bool leftward, bool to_the_end) {
+    const uint32_t ahead = leftward ? ~falls_rightward : falls_rightward;
     const uint32_t ends = to_the_end ? 0 : ahead;
     const uint32_t follows = to_the_end ? 0 : ~ahead & falls_downward;
-    const int end = Leftward ? first_x : last_x;
+    const int end = leftward ? first_x : last_x;
     int next_start = start;
     bool past = false, follows_on = true;
-    for (int x = start; Leftward ? x >= end : x <= end;) {
-      const int n = std::min((Leftward ? x - end : end - x) + 1, kSide);
-      const int left = Leftward ? x - n + 1 : x;
+    for (int x = start; leftward ? x >= end : x <= end;) {
+      const int n = std::min((leftward ? x - end : end - x) + 1, kSide);
+      const int left = leftward ? x - n + 1 : x;
       const RowTest row = test(left, ends, follows);
       // Tiles by their number in the walk.
-      const auto ordered = [n](uint32_t tiles) HWY_ATTR {
-        return Leftward ? reversed(tiles) >> (kSide - n) : tiles;
+      const auto ordered = [n, leftward](uint32_t tiles) HWY_ATTR {
+        return leftward ? reversed(tiles) >> (kSide - n) : tiles;
       };
       const uint32_t ending = ordered(row.ends) & ones_below(n);
       const int last = ending != 0 ? __builtin_ctz(ending) : n;  // after it there is one more
       const int tested = past ? 1 : std::min(last + 2, n);
       if (follows_on && !past) {
         // The start moves on from each tile but the end.
-        const int until = std::min({n, last + 1, Leftward ? x - end : end - x});
+        const int until = std::min({n, last + 1, leftward ? x - end : end - x});
         const int moves = std::min(__builtin_ctz(~ordered(row.follows)), until);
-        next_start += Leftward ? -moves : moves;
+        next_start += leftward ? -moves : moves;
         follows_on = moves == n;
       }
       if (y >= s.rows.first) {
-        take(row, left, Leftward ? ones_below(tested) << (n - tested) : ones_below(tested));
+        take(row, left, leftward ? ones_below(tested) << (n - tested) : ones_below(tested));
       }
       if (past || last + 1 < n || (y < s.rows.first && !follows_on)) break;
       past = last + 1 == n;
-      x += Leftward ? -n : n;
+      x += leftward ? -n : n;
     }
     return to_the_end ? end : next_start;
   }
@@ -747,7 +746,7 @@ class BlockRows {
     }
   }
 
-  HWY_INLINE void draw_oldest() {
+  HWY_NOINLINE void draw_oldest() {
     const Waiting& w = waiting[next_drawn++ % kWaiting];
     Block block;
     block.e = w.e;
