@@ -141,9 +141,6 @@ struct PairSlope {
   }
 };
 
-// Which samples pass: less and less-or-equal have a way of their own.
-enum class When { kAlways, kLess, kLequal, kAny };
-
 // ---- A triangle's planes
 
 // Sign-extends the low bits, without the lowest ones.
@@ -307,10 +304,11 @@ struct Outcome {
   uint64_t covered = 0, passed = 0;
 };
 
-template <When Test>
+HWY_INLINE bool is_less(const core::PassesWhen& when) {
+  return when.less && !when.equal && !when.greater;
+}
 HWY_INLINE Mask passes(const core::PassesWhen& when, Codes code, Codes stored) {
-  if constexpr (Test == When::kLess) return hn::Lt(code, stored);
-  if constexpr (Test == When::kLequal) return hn::Not(hn::Gt(code, stored));
+  if (is_less(when)) return hn::Lt(code, stored);
   const auto all = [](bool value) HWY_ATTR { return mask_of(value ? kAllBits : 0); };
   return hn::Or(hn::And(hn::Lt(code, stored), all(when.less)),
                 hn::Or(hn::And(hn::Eq(code, stored), all(when.equal)),
@@ -371,9 +369,9 @@ struct Cursor {
 };
 
 // Draws the covered samples of a block; Hidden: none of them passes.
-template <When Test, bool Hidden, class State>
-HWY_NOINLINE Outcome draw_block(const State& s, const Triangle& t, const Block& block, size_t number,
-                              BlockBuffer* buffer) {
+template <bool Hidden, class State>
+HWY_NOINLINE Outcome draw_block(const State& s, const Triangle& t, const Block& block,
+                                size_t number, BlockBuffer* buffer) {
   Outcome outcome;
   constexpr int kPairBits = static_cast<int>(kPair);
   const int first = __builtin_ctzll(block.box) / kPairBits;
@@ -393,10 +391,10 @@ HWY_NOINLINE Outcome draw_block(const State& s, const Triangle& t, const Block& 
       if (Hidden || covered == 0) continue;
       SampleLine* const line = lines + at / kLineSamples;
       uint64_t passed = covered;
-      if constexpr (Test != When::kAlways) {
+      if (s.tests_depth) {
         const Codes code = hn::ShiftRightSame(t.z.in_part(cursor.z, part), 32 - s.depth_bits);
         const Codes stored = load_depths(line, at % kLineSamples);
-        const Mask pass = hn::And(mask_of(covered), passes<Test>(s.when, code, stored));
+        const Mask pass = hn::And(mask_of(covered), passes(s.when, code, stored));
         passed = bits_of(pass);
         const Codes merged = hn::IfThenElse(pass, code, stored);
         if (s.writes_depth) store_depths(merged, line, at % kLineSamples);
@@ -407,21 +405,19 @@ HWY_NOINLINE Outcome draw_block(const State& s, const Triangle& t, const Block& 
     }
   }
   // Only a block that is seen whole tells its greatest depth.
-  if constexpr (Test == When::kLess || Test == When::kLequal) {
-    if (!Hidden && s.writes_depth && outcome.covered == ~uint64_t{0}) {
-      buffer->greatest[number] = hn::GetLane(hn::MaxOfLanes(kCodes, greatest));
-    }
+  if (!Hidden && s.hides && s.writes_depth && outcome.covered == ~uint64_t{0}) {
+    buffer->greatest[number] = hn::GetLane(hn::MaxOfLanes(kCodes, greatest));
   }
   return outcome;
 }
 
 // Is what a triangle has in a block behind all that is stored there?
-template <When Test, class State>
+template <class State>
 HWY_INLINE bool is_hidden(const State& s, const Triangle& t, int64_t at_block, uint32_t greatest) {
-  if constexpr (Test != When::kLess && Test != When::kLequal) return false;
+  if (!s.hides) return false;
   const int64_t half = (int64_t{1} << s.fraction_bits) >> 1;
   const int64_t least = (at_block + t.tile.z_fall[t.i] + half) >> s.fraction_bits;
-  return t.tile.z_is_flat[t.i] != 0 && (Test == When::kLess ? least >= greatest : least > greatest);
+  return t.tile.z_is_flat[t.i] != 0 && (s.when.equal ? least > greatest : least >= greatest);
 }
 
 HWY_INLINE uint64_t ones(uint64_t bits) {
@@ -464,7 +460,7 @@ struct Tile {
 };
 
 // The block i, j px from the tile's corner, of whose samples `box` are in the triangle's box.
-template <When Test, class State>
+template <class State>
 HWY_INLINE void draw_block_of(const State& s, const Triangle& t, const Tile& tile, int i, int j,
                               uint64_t box, BlockBuffer* buffer, BlockCounts* counts) {
   Block block;
@@ -473,7 +469,7 @@ HWY_INLINE void draw_block_of(const State& s, const Triangle& t, const Tile& til
   block.is_inside = tile.accepted;
   if (s.tile_log2 > 3) block.z += t.tile.z_dx[t.i] * i + t.tile.z_dy[t.i] * j;
   const size_t number = buffer->block(tile.left + i, tile.top + j);
-  const bool hidden = is_hidden<Test>(s, t, block.z, buffer->greatest[number]);
+  const bool hidden = is_hidden(s, t, block.z, buffer->greatest[number]);
   if (hidden && block.is_inside && !s.counts_hits) {
     counts->fragments += ones(box);
     counts->stamps += stamps_of(s, box);
@@ -484,7 +480,7 @@ HWY_INLINE void draw_block_of(const State& s, const Triangle& t, const Tile& til
     block.e[k] = static_cast<int32_t>(e[k]) + t.edge[k].a * i + t.edge[k].b * j;
   }
   const auto stamps = [&s](uint64_t samples) HWY_ATTR { return stamps_of(s, samples); };
-  if (hidden) return count(draw_block<Test, true>(s, t, block, number, buffer), stamps, counts);
+  if (hidden) return count(draw_block<true>(s, t, block, number, buffer), stamps, counts);
   const Pairs color = t.colors_at(s, tile.across, tile.down);
   block.low = PairSlope::repeat(color.low);
   block.high = PairSlope::repeat(color.high);
@@ -495,10 +491,10 @@ HWY_INLINE void draw_block_of(const State& s, const Triangle& t, const Tile& til
     block.low = moved(block.low, t.low);
     block.high = moved(block.high, t.high);
   }
-  count(draw_block<Test, false>(s, t, block, number, buffer), stamps, counts);
+  count(draw_block<false>(s, t, block, number, buffer), stamps, counts);
 }
 
-template <When Test, class State>
+template <class State>
 HWY_INLINE void draw_tile(const State& s, const EdgePrim& prim, const Triangle& t,
                           const TileSteps& steps, BlockBuffer* buffer, BlockCounts* counts) {
   const int side = 1 << s.tile_log2;
@@ -510,18 +506,18 @@ HWY_INLINE void draw_tile(const State& s, const EdgePrim& prim, const Triangle& 
             (steps.x() - (prim.x0 >> s.tile_log2)) << s.tile_log2,
             (steps.y() - (prim.y0 >> s.tile_log2)) << s.tile_log2};
   counts->tiles_accepted += tile.accepted ? 1 : 0;
-  if constexpr (Test != When::kAlways) tile.z = t.depth_at(s, tile.across, tile.down);
+  if (s.tests_depth) tile.z = t.depth_at(s, tile.across, tile.down);
   // The box, from the tile's corner.
   const int x0 = std::max(prim.x0 - tile.left, 0), x1 = std::min(prim.x1 - tile.left, side - 1);
   const int y0 = std::max(prim.y0 - tile.top, 0), y1 = std::min(prim.y1 - tile.top, side - 1);
   if (s.tile_log2 == 3) {
-    return draw_block_of<Test>(s, t, tile, 0, 0, box_of(x0, y0, x1, y1), buffer, counts);
+    return draw_block_of(s, t, tile, 0, 0, box_of(x0, y0, x1, y1), buffer, counts);
   }
   for (int j = y0 & -kBlockPx; j <= y1; j += kBlockPx) {
     for (int i = x0 & -kBlockPx; i <= x1; i += kBlockPx) {
       const uint64_t box = box_of(std::max(x0 - i, 0), std::max(y0 - j, 0),
                                   std::min(x1 - i, kBlockPx - 1), std::min(y1 - j, kBlockPx - 1));
-      draw_block_of<Test>(s, t, tile, i, j, box, buffer, counts);
+      draw_block_of(s, t, tile, i, j, box, buffer, counts);
     }
   }
 }
@@ -536,7 +532,7 @@ struct RowTest {
 
 // The tiles of a triangle as TileSteps walks through them, tested side by side. A tile that is drawn waits
 // for a few others, so that its memory's lines arrive meanwhile.
-template <When Test, class State>
+template <class State>
 class BlockRows {
  public:
   HWY_INLINE BlockRows(const State& state, const EdgePrim& prim, const Triangle& triangle,
@@ -555,7 +551,7 @@ class BlockRows {
       falls_rightward |= edge.a < 0 ? 1U << k : 0;
       falls_downward |= edge.b <= 0 ? 1U << k : 0;
     }
-    if constexpr (Test == When::kAlways) return;
+    if (!s.tests_depth) return;
     z_at = static_cast<uint64_t>(t.group.z_ref[t.i]);
     z_across = static_cast<uint64_t>(t.group.z_dx[t.i]) * kBlockPx;
     z_down = static_cast<uint64_t>(t.group.z_dy[t.i]) * kBlockPx;
@@ -631,17 +627,17 @@ class BlockRows {
       }
       test.rejected |= rejected << i;
       test.accepted |= bits(hn::Not(hn::Lt(worst_of_all, zero))) << i;
-      if constexpr (Test != When::kAlways) {
+      if (s.tests_depth) {
         const Words z = hn::Add(
             hn::Set(kWords, static_cast<int64_t>(z_at + z_across * static_cast<uint64_t>(columns))),
             hn::Load(kWords, z_steps.data() + i));
         const Words half = hn::Set(kWords, (int64_t{1} << s.dropped_bits) >> 1);
         const int above = 64 - s.depth_plane_bits;
-        const Words kept = hn::ShiftRightSame(hn::ShiftLeftSame(hn::Add(z, half), above),
-                                              above + s.dropped_bits);
+        const Words kept =
+            hn::ShiftRightSame(hn::ShiftLeftSame(hn::Add(z, half), above), above + s.dropped_bits);
         hn::Store(kept, kWords, depths.data() + i);
         // Rows above those that are wanted have no memory.
-        if ((Test == When::kLess || Test == When::kLequal) && y >= s.rows.first) {
+        if (s.hides && y >= s.rows.first) {
           const int64_t rounded = t.tile.z_fall[t.i] + ((int64_t{1} << s.fraction_bits) >> 1);
           const Words least =
               hn::ShiftRightSame(hn::Add(kept, hn::Set(kWords, rounded)), s.fraction_bits);
@@ -650,9 +646,8 @@ class BlockRows {
           const Words greatest =
               hn::BitCast(kWords, hn::PromoteTo(hn::RebindToUnsigned<decltype(kWords)>(),
                                                 hn::LoadU(d, buffer->greatest.data() + number)));
-          test.hidden |= bits(Test == When::kLess ? hn::Not(hn::Lt(least, greatest))
-                                                  : hn::Lt(greatest, least))
-                         << i;
+          test.hidden |=
+              bits(s.when.equal ? hn::Lt(greatest, least) : hn::Not(hn::Lt(least, greatest))) << i;
         }
       }
     }
@@ -715,8 +710,7 @@ class BlockRows {
       const int i = __builtin_ctz(kept);
       const int x = (left + i) * kBlockPx;
       const bool is_inside = (row.accepted >> i & 1) != 0;
-      const uint64_t box =
-          box_of(std::max(p.x0 - x, 0), y0, std::min(p.x1 - x, kBlockPx - 1), y1);
+      const uint64_t box = box_of(std::max(p.x0 - x, 0), y0, std::min(p.x1 - x, kBlockPx - 1), y1);
       if ((left_out >> i & 1) != 0 && !s.counts_hits) {
         counts->fragments += ones(box);
         counts->stamps += stamps_of(s, box);
@@ -726,16 +720,16 @@ class BlockRows {
       const size_t number = buffer->block(x, y * kBlockPx);
       const bool is_hidden = (row.hidden >> i & 1) != 0;
       if (!is_hidden) prefetch(number, y0, y1);
-      waiting[next++ % kWaiting] = {{static_cast<int32_t>(lowered[0][at_tile]),
-                                     static_cast<int32_t>(lowered[1][at_tile]),
-                                     static_cast<int32_t>(lowered[2][at_tile])},
-                                    depths[at_tile],
-                                    box,
-                                    number,
-                                    x,
-                                    y * kBlockPx,
-                                    is_inside,
-                                    is_hidden};
+      waiting[next++ % kWaiting] = {
+          {static_cast<int32_t>(lowered[0][at_tile]), static_cast<int32_t>(lowered[1][at_tile]),
+           static_cast<int32_t>(lowered[2][at_tile])},
+          depths[at_tile],
+          box,
+          number,
+          x,
+          y * kBlockPx,
+          is_inside,
+          is_hidden};
       if (next - next_drawn > kAhead) draw_oldest();
     }
   }
@@ -755,12 +749,12 @@ class BlockRows {
     block.is_inside = w.is_inside;
     const auto stamps = [this](uint64_t samples) HWY_ATTR { return stamps_of(s, samples); };
     if (w.is_hidden) {
-      return count(draw_block<Test, true>(s, t, block, w.number, buffer), stamps, counts);
+      return count(draw_block<true>(s, t, block, w.number, buffer), stamps, counts);
     }
     const Pairs color = t.colors_at(s, w.x - first_x * kBlockPx, w.y - p.y0 / kBlockPx * kBlockPx);
     block.low = PairSlope::repeat(color.low);
     block.high = PairSlope::repeat(color.high);
-    count(draw_block<Test, false>(s, t, block, w.number, buffer), stamps, counts);
+    count(draw_block<false>(s, t, block, w.number, buffer), stamps, counts);
   }
 
   const State& s;
@@ -795,16 +789,14 @@ HWY_INLINE uint64_t small_stamps_of(const State& s, uint64_t samples) {
   return ones(samples & kColumns[s.stamp_width_log2] & kStampRows[s.stamp_height_log2]);
 }
 
-template <When Test>
 HWY_INLINE bool passes(const core::PassesWhen& when, uint32_t code, uint32_t stored) {
-  if constexpr (Test == When::kLess) return code < stored;
-  if constexpr (Test == When::kLequal) return code <= stored;
+  if (is_less(when)) return code < stored;
   return (when.less && code < stored) || (when.equal && code == stored) ||
          (when.greater && code > stored);
 }
 
 // Draws some samples of one triangle.
-template <When Test, class State>
+template <class State>
 HWY_INLINE void draw_small(const State& s, const PrimGroup& group, const SmallPrims& small,
                            size_t i, uint32_t begin, BlockBuffer* buffer, BlockCounts* counts) {
   Outcome outcome{small.covered[i], 0};
@@ -818,9 +810,9 @@ HWY_INLINE void draw_small(const State& s, const PrimGroup& group, const SmallPr
       hits = static_cast<uint16_t>(hits + (hits != 0xffff ? 1 : 0));
     }
     bool pass = true;
-    if constexpr (Test != When::kAlways) {
+    if (s.tests_depth) {
       const uint32_t stored = line.depth[at];
-      pass = passes<Test>(s.when, sample.depth, stored);
+      pass = passes(s.when, sample.depth, stored);
       if (s.writes_depth) line.depth[at] = pass ? sample.depth : stored;
     }
     if (s.channels > 0) {
@@ -837,7 +829,7 @@ HWY_INLINE void draw_small(const State& s, const PrimGroup& group, const SmallPr
   count(outcome, stamps, counts);
 }
 
-template <When Test, class State>
+template <class State>
 HWY_INLINE void draw(const State& s, const PrimGroup& group, const SmallPrims& small,
                      BlockBuffer* buffer, BlockCounts* counts) {
   TileSlopes slopes;
@@ -846,14 +838,14 @@ HWY_INLINE void draw(const State& s, const PrimGroup& group, const SmallPrims& s
   for (uint32_t left = group.drawn; left != 0; left &= left - 1) {
     const auto i = static_cast<size_t>(__builtin_ctz(left));
     if ((small.small >> i & 1) != 0) {
-      draw_small<Test>(s, group, small, i, drawn_samples, buffer, counts);
+      draw_small(s, group, small, i, drawn_samples, buffer, counts);
       drawn_samples = small.end[i];
       continue;
     }
     const EdgePrim prim(group, i);
     const Triangle t(s, group, slopes, i);
     if (s.tile_log2 == 3 && prim.x1 / kBlockPx - prim.x0 / kBlockPx >= 3) {
-      BlockRows<Test, State>(s, prim, t, buffer, counts).draw();
+      BlockRows<State>(s, prim, t, buffer, counts).draw();
       continue;
     }
     TileSteps tile;
@@ -864,7 +856,7 @@ HWY_INLINE void draw(const State& s, const PrimGroup& group, const SmallPrims& s
       if (rejects != 0) {
         ++counts->tiles_rejected;
       } else {
-        draw_tile<Test>(s, prim, t, tile, buffer, counts);
+        draw_tile(s, prim, t, tile, buffer, counts);
       }
       tile.step(rejects);
     }
@@ -878,7 +870,8 @@ struct CommonState {
   static constexpr int tile_log2 = kDesign.tile_log2;
   static constexpr int stamp_width_log2 = kDesign.stamp_width_log2;
   static constexpr int stamp_height_log2 = kDesign.stamp_height_log2;
-  static constexpr bool writes_depth = true, counts_hits = false;
+  static constexpr bool tests_depth = true, hides = true, writes_depth = true, counts_hits = false;
+  static constexpr core::PassesWhen when{true, false, false};  // LESS
   static constexpr int channels = spec::channels(kDesign);
   static constexpr int depth_bits = kDesign.depth_bits;
   static constexpr int depth_plane_bits = spec::kHighTileWidths.depth_plane;
@@ -886,28 +879,20 @@ struct CommonState {
   static constexpr int dropped_bits = kDesign.gradient_fraction_bits - fraction_bits;
   // NOLINTEND(readability-identifier-naming)
   core::TileRows rows;
-  core::PassesWhen when;
 
   static bool holds(const BlockState& s) {
     return s.tile_log2 == tile_log2 && s.stamp_width_log2 == stamp_width_log2 &&
-           s.stamp_height_log2 == stamp_height_log2 && s.writes_depth && !s.counts_hits &&
-           s.channels == channels && s.depth_bits == depth_bits &&
-           s.depth_plane_bits == depth_plane_bits && s.dropped_bits == dropped_bits &&
-           s.fraction_bits == fraction_bits;
+           s.stamp_height_log2 == stamp_height_log2 && s.tests_depth && is_less(s.when) &&
+           s.writes_depth && !s.counts_hits && s.channels == channels &&
+           s.depth_bits == depth_bits && s.depth_plane_bits == depth_plane_bits &&
+           s.dropped_bits == dropped_bits && s.fraction_bits == fraction_bits;
   }
 };
 
 void draw_all(const BlockState& s, const PrimGroup& group, const SmallPrims& small,
               BlockBuffer* buffer, BlockCounts* counts) {
-  if (!s.tests_depth) return draw<When::kAlways>(s, group, small, buffer, counts);
-  const bool is_less = s.when.less && !s.when.greater;
-  if (is_less && !s.when.equal) {
-    const CommonState common{s.rows, s.when};
-    return CommonState::holds(s) ? draw<When::kLess>(common, group, small, buffer, counts)
-                                 : draw<When::kLess>(s, group, small, buffer, counts);
-  }
-  if (is_less) return draw<When::kLequal>(s, group, small, buffer, counts);
-  draw<When::kAny>(s, group, small, buffer, counts);
+  if (CommonState::holds(s)) return draw(CommonState{s.rows}, group, small, buffer, counts);
+  draw(s, group, small, buffer, counts);
 }
 
 #endif
@@ -948,6 +933,7 @@ BlockState::BlockState(const spec::Contract& contract, const spec::FrameState& f
       writes_depth(tests_depth && frame.depth_write),
       counts_hits(with_hits),
       when(core::passes_when(frame.depth)),
+      hides(tests_depth && when.less && !when.greater),
       channels(spec::channels(contract.design)),
       depth_bits(contract.design.depth_test ? contract.design.depth_bits : 1),
       depth_plane_bits(contract.width.depth_plane),

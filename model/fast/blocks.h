@@ -24,6 +24,7 @@ struct BlockState {
   int stamp_width_log2, stamp_height_log2;
   bool tests_depth, writes_depth, counts_hits;
   core::PassesWhen when;
+  bool hides;  // a depth behind all that a block stores cannot pass: LESS and LEQUAL
   int channels;
   int depth_bits;
   // Planes: bits of the whole plane, fraction bits that a tile drops and that it keeps.

@@ -14,8 +14,8 @@ namespace {
 PINEDA_INLINE void prefetch(const BlockBuffer& buffer, const PrimGroup& g, size_t i,
                             core::TileRows rows, int tile_log2) {
   if (g.y0[i] >> tile_log2 < rows.first || g.y0[i] >> tile_log2 > rows.last) return;
-  const int last_y = std::min({g.y1[i], (g.y0[i] | (kBlockPx - 1)) + kBlockPx,
-                               buffer.top + buffer.rows - 1});
+  const int last_y =
+      std::min({g.y1[i], (g.y0[i] | (kBlockPx - 1)) + kBlockPx, buffer.top + buffer.rows - 1});
   const int last_x = std::min(g.x1[i], (g.x0[i] | (kBlockPx - 1)) + kBlockPx);
   for (int y = g.y0[i] & -kLineHeightPx; y <= last_y; y += kLineHeightPx) {
     const size_t row = buffer.line(0, y);
@@ -181,8 +181,7 @@ void Renderer::draw(const spec::Triangle* triangles, size_t count, bool counted)
 }
 
 void Renderer::draw_group(const TriangleGroup& triangles, size_t count, uint32_t counted) {
-  counters_.triangles +=
-      static_cast<uint64_t>(__builtin_popcount(counted & ((1U << count) - 1)));
+  counters_.triangles += static_cast<uint64_t>(__builtin_popcount(counted & ((1U << count) - 1)));
   fast::set_up(*blocks_->lanes, triangles, count, counted, blocks_->prims(), &counters_.dropped);
   draw_prims();
 }

@@ -84,8 +84,8 @@ HWY_INLINE Mask is_short(const PrimGroup& g, size_t k, size_t first, int tile_lo
   const Wide e = Wide::load(g.e[k], first);
   *edge = {load(g.a[k], first), load(g.b[k], first), hn::BitCast(kInts, e.lower())};
   const Ints sign = hn::BroadcastSignBit(edge->e);
-  const Mask fits = hn::And(hn::Eq(sign, hn::BitCast(kInts, e.upper())),
-                            hn::Lt(hn::Abs(edge->e), ints(1 << 29)));
+  const Mask fits =
+      hn::And(hn::Eq(sign, hn::BitCast(kInts, e.upper())), hn::Lt(hn::Abs(edge->e), ints(1 << 29)));
   const Ints steps = hn::Or(hn::Abs(edge->a), hn::Abs(edge->b));
   return hn::And(fits, hn::Lt(steps, ints(1 << (27 - tile_log2))));
 }
@@ -95,8 +95,8 @@ HWY_INLINE Mask is_small(const BlockState& s, const Box& box) {
   const Ints last_y = hn::Add(hn::And(box.y0, ints((1 << s.stamp_height_log2) - 1)), box.height);
   const Ints first_row = hn::ShiftRightSame(box.y0, s.tile_log2);
   const Ints last_row = hn::ShiftRightSame(hn::Add(box.y0, box.height), s.tile_log2);
-  const Mask wanted = hn::And(at_least(first_row, s.rows.first),
-                              hn::Not(hn::Gt(last_row, ints(s.rows.last))));
+  const Mask wanted =
+      hn::And(at_least(first_row, s.rows.first), hn::Not(hn::Gt(last_row, ints(s.rows.last))));
   return hn::And(wanted, hn::And(hn::Lt(last_x, ints(kSmallPx)), hn::Lt(last_y, ints(kSmallPx))));
 }
 
@@ -173,11 +173,11 @@ HWY_INLINE void move_to_box(D d, V left, V top, int tile_log2, Plane<V>* plane) 
   for (size_t j = 0; j < 2; ++j) {
     for (size_t i = 0; i < 2; ++i) {
       const auto side = [&](size_t n) HWY_ATTR {
-        return hn::Set(d, static_cast<hn::TFromD<D>>(n << tile_log2));
+        return hn::Set(d, static_cast<hn::TFromD<D> >(n << tile_log2));
       };
-      plane->at[j][i] = hn::Add(plane->at[j][i],
-                                hn::Add(hn::Mul(plane->dx, hn::Sub(left, side(i))),
-                                        hn::Mul(plane->dy, hn::Sub(top, side(j)))));
+      plane->at[j][i] =
+          hn::Add(plane->at[j][i], hn::Add(hn::Mul(plane->dx, hn::Sub(left, side(i))),
+                                           hn::Mul(plane->dy, hn::Sub(top, side(j)))));
     }
   }
 }
@@ -188,9 +188,8 @@ HWY_INLINE Plane<Codes> depth_plane(const BlockState& s, const PrimGroup& g, siz
   const Words half = hn::Set(kWords, (uint64_t{1} << s.dropped_bits) >> 1);
   const int up = 32 - s.depth_bits - s.fraction_bits;
   const auto in_tile = [&](const Wide& wide) HWY_ATTR {
-    const Wide kept = wide.each([&](Words v) HWY_ATTR {
-      return hn::ShiftRightSame(hn::Add(v, half), s.dropped_bits);
-    });
+    const Wide kept = wide.each(
+        [&](Words v) HWY_ATTR { return hn::ShiftRightSame(hn::Add(v, half), s.dropped_bits); });
     return hn::ShiftLeftSame(kept.lower(), up);
   };
   const auto tiles = [&](const Wide& wide) HWY_ATTR {
@@ -212,13 +211,13 @@ HWY_INLINE Plane<Codes> depth_plane(const BlockState& s, const PrimGroup& g, siz
 
 // Channels 0 and 2, 1 and 3 of colours, 16 bits each; the code is the upper byte, half a code is added.
 struct ColorPlanes {
-  Plane<hn::Vec<decltype(kHalves)>> low, high;
+  Plane<hn::Vec<decltype(kHalves)> > low, high;
 };
 
 HWY_INLINE ColorPlanes color_planes(const BlockState& s, const PrimGroup& g, size_t first,
                                     const Box& box) {
   using Channels = std::array<Codes, 4>;
-  const auto load_channels = [&](const Each<std::array<uint32_t, 4>>& from) HWY_ATTR {
+  const auto load_channels = [&](const Each<std::array<uint32_t, 4> >& from) HWY_ATTR {
     Channels c;
     hn::LoadInterleaved4(kCodes, from[first].data(), c[0], c[1], c[2], c[3]);
     return c;
@@ -239,9 +238,8 @@ HWY_INLINE ColorPlanes color_planes(const BlockState& s, const PrimGroup& g, siz
     return hn::BitCast(kHalves, hn::Or(codes, hn::ShiftLeft<16>(codes)));
   };
   const auto plane_of = [&](size_t lower, size_t upper) HWY_ATTR {
-    Plane<hn::Vec<decltype(kHalves)>> plane{pair(dx[lower], dx[upper], 0),
-                                            pair(dy[lower], dy[upper], 0),
-                                            {}};
+    Plane<hn::Vec<decltype(kHalves)> > plane{
+        pair(dx[lower], dx[upper], 0), pair(dy[lower], dy[upper], 0), {}};
     for (size_t j = 0; j < 2; ++j) {
       for (size_t i = 0; i < 2; ++i) {
         const auto at = [&](size_t c) HWY_ATTR {
@@ -273,12 +271,10 @@ constexpr uint32_t kLineWords = kLineBytes / sizeof(uint32_t);
 
 HWY_INLINE void place(const Box& box, const BlockBuffer& buffer, int columns, int rows,
                       size_t first, Scratch* scratch) {
-  const auto store = [&](Codes v, Each<uint32_t>* to) HWY_ATTR {
-    hn::Store(v, kCodes, to->data() + first);
-  };
-  const auto bits = [](Codes v, uint32_t mask) HWY_ATTR {
-    return hn::And(v, hn::Set(kCodes, mask));
-  };
+  const auto store = [&](Codes v, Each<uint32_t>* to)
+                         HWY_ATTR { hn::Store(v, kCodes, to->data() + first); };
+  const auto bits = [](Codes v, uint32_t mask)
+                        HWY_ATTR { return hn::And(v, hn::Set(kCodes, mask)); };
   constexpr uint32_t kBlockWords = kBlockLines * kLineWords;
   static_assert(kLineWidthPx == 4 && kLineHeightPx == 2 && kBlockPx == 8);
   Codes x = hn::BitCast(kCodes, box.x0);
@@ -372,8 +368,7 @@ HWY_INLINE void collect(const Scratch& scratch, const BlockBuffer& buffer, Small
     small->covered[t] = covered;
     for (; covered != 0; covered &= covered - 1) {
       const auto bit = static_cast<size_t>(__builtin_ctzll(covered));
-      const uint32_t place =
-          scratch.column[bit % kSmallPx][t] + scratch.row[bit / kSmallPx][t];
+      const uint32_t place = scratch.column[bit % kSmallPx][t] + scratch.row[bit / kSmallPx][t];
       __builtin_prefetch(&buffer.lines[place / kLineWords], 1);
       small->samples[end++] = {place, scratch.depth[bit][t], scratch.color[bit][t],
                                static_cast<uint32_t>(bit)};

@@ -34,9 +34,12 @@ spec::Triangle random_triangle(const spec::Contract& c, const spec::FrameState& 
   const spec::Design& d = c.design;
   const int px = 1 << d.subpixel_bits;
   const int64_t limit = int64_t{1} << (d.guard_bits + d.subpixel_bits);
-  const auto kind = r->between(0, 7);
+  const auto kind = r->between(0, 23);
   const bool is_tiny = kind < 2;  // about a sample, whose edges may go through it
-  const int64_t reach = is_tiny ? r->between(1, 2) : kind < 4 ? limit : r->between(1, 40 * px);
+  const int64_t reach = is_tiny     ? r->between(1, 2)
+                        : kind < 4  ? limit
+                        : kind < 10 ? r->between(1, 40 * px)
+                                    : r->between(1, 5 * px);
   int64_t x = r->between(0, frame.width * px);
   int64_t y = r->between(0, frame.height * px);
   if (is_tiny) {
@@ -66,14 +69,14 @@ std::string compare(const spec::Contract& c, const spec::Contract& of_tiles, uin
   core::Renderer stamps(c, frame);
   fast::Renderer tiles(of_tiles, frame);
   std::vector<spec::Triangle> triangles;
-  for (int i = 0; i < 40; ++i) triangles.push_back(random_triangle(c, frame, &random));
-  // Half as a list, which is set up side by side.
+  for (int i = 0; i < 100; ++i) triangles.push_back(random_triangle(c, frame, &random));
   for (const auto& t : triangles) stamps.draw(t);
+  // Most of them in a list, whose groups are set up side by side.
   fast::TriangleList list(of_tiles, frame);
-  for (size_t i = 0; i < 10; ++i) list.push_back(triangles[i]);
+  for (size_t i = 0; i < 70; ++i) list.push_back(triangles[i]);
   tiles.draw(list);
-  tiles.draw(triangles.data() + 10, 10);
-  for (size_t i = 20; i < triangles.size(); ++i) tiles.draw(triangles[i]);
+  tiles.draw(triangles.data() + 70, 20);
+  for (size_t i = 90; i < triangles.size(); ++i) tiles.draw(triangles[i]);
   const core::FrameCounters& a = stamps.counters();
   const core::FrameCounters b = tiles.counters();
   *drawn += a.passed;

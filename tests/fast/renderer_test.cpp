@@ -108,6 +108,33 @@ TEST(WholeTiles, EqualStampByStampWhereDepthsTie) {
   });
 }
 
+// A scissor of a few pixels over the corner of four tiles makes small boxes of larger triangles: there the
+// walk passes over tiles.
+TEST(WholeTiles, SmallScissors) {
+  const spec::Contract c = spec::contract(spec::kHighTile);
+  for_each_level([&] {
+    Random random(6);
+    for (int i = 0; i < 300; ++i) {
+      spec::FrameState frame;
+      frame.width = frame.height = 24;
+      frame.scissor_x0 = random.between(1, 15);
+      frame.scissor_y0 = random.between(1, 15);
+      frame.scissor_x1 = frame.scissor_x0 + random.between(1, 8);
+      frame.scissor_y1 = frame.scissor_y0 + random.between(1, 8);
+      core::Renderer stamps(c, frame);
+      fast::Renderer tiles(c, frame);
+      std::vector<spec::Triangle> triangles(100);
+      for (spec::Triangle& t : triangles) stamps.draw(t = random_triangle(c, frame, &random));
+      tiles.draw(triangles.data(), triangles.size());
+      for (const core::FrameCounter& row : core::kFrameCounters) {
+        ASSERT_EQ(row.of(stamps.counters()), row.of(tiles.counters())) << row.name << ' ' << i;
+      }
+      ASSERT_EQ(stamps.buffer().depth, tiles.buffer().depth) << i;
+      ASSERT_EQ(stamps.buffer().color, tiles.buffer().color) << i;
+    }
+  });
+}
+
 // Lists are set up in batches: any length, with dropped triangles between others.
 TEST(WholeTiles, ListsEqualTrianglesOneByOne) {
   const spec::Contract c = spec::contract(spec::kHighTile);
