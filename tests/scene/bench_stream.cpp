@@ -1,5 +1,5 @@
-// Writes a .ptrb of N random triangles of 1 px on 1920x1080 to standard output, for measuring how
-// quickly streams are read: the same bytes on every machine.
+// Writes a .ptrb of random triangles of 1 px on 1920x1080, or of a mesh many times, to standard output,
+// for measuring how quickly streams are read: the same bytes on every machine.
 #include <unistd.h>
 
 #include <array>
@@ -9,9 +9,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 #include <vector>
 
+#include "bench/scenes.h"
 #include "model/scene/builtin/builtin.h"
+#include "model/scene/error.h"
 #include "model/spec/random.h"
 
 namespace pineda::scene {
@@ -61,9 +64,9 @@ bool write_all(const unsigned char* from, size_t bytes) {
   return true;
 }
 
-class Triangles {
+class RandomTriangles {
  public:
-  explicit Triangles(uint64_t seed) : random_(seed) {}
+  explicit RandomTriangles(uint64_t seed) : random_(seed) {}
 
   unsigned char* put(unsigned char* to) {
     const uint64_t place = random_();
@@ -89,7 +92,42 @@ class Triangles {
   spec::SplitMix64 random_;
 };
 
-int run(uint64_t count) {
+// A framed mesh again and again: each copy at another place, nearer than the one before.
+class Copies {
+ public:
+  Copies(std::vector<ScreenTriangle> mesh, uint64_t copies)
+      : mesh_(std::move(mesh)), copies_(copies) {}
+
+  uint64_t count() const { return mesh_.size() * copies_; }
+  unsigned char* put(unsigned char* to) {
+    constexpr uint64_t kColumns = 12;
+    const auto x = static_cast<float>(copy_ % kColumns) - kColumns / 2.0f;
+    const auto y = static_cast<float>(copy_ / kColumns % kColumns) - kColumns / 2.0f;
+    const float depth = static_cast<float>(copies_ - 1 - copy_) / static_cast<float>(copies_);
+    for (const ScreenVertex& v : mesh_[next_].v) {
+      to = put_f32(v.x + x * kStepPx, to);
+      to = put_f32(v.y + y * kStepPx, to);
+      to = put_f32((v.z + depth) / 2, to);
+      to = put_u32(0xff000000u | static_cast<uint32_t>(next_), to);
+    }
+    if (++next_ == mesh_.size()) {
+      next_ = 0;
+      ++copy_;
+    }
+    return to;
+  }
+
+ private:
+  static constexpr float kStepPx = 16;
+
+  std::vector<ScreenTriangle> mesh_;
+  uint64_t copies_;
+  size_t next_ = 0;
+  uint64_t copy_ = 0;
+};
+
+template <class Triangles>
+int write_stream(uint64_t count, Triangles triangles) {
   std::vector<unsigned char> buffer(kBufferTriangles * kTriangleBytes);
   unsigned char* end = buffer.data();
   for (const char c : {'P', 'T', 'R', 'B'}) *end++ = static_cast<unsigned char>(c);
@@ -97,7 +135,6 @@ int run(uint64_t count) {
     end = put_u32(static_cast<uint32_t>(word), end);
   }
   if (!write_all(buffer.data(), static_cast<size_t>(end - buffer.data()))) return 1;
-  Triangles triangles(1);
   for (uint64_t left = count; left > 0;) {
     end = buffer.data();
     for (size_t i = 0; i < kBufferTriangles && left > 0; ++i, --left) end = triangles.put(end);
@@ -106,17 +143,31 @@ int run(uint64_t count) {
   return 0;
 }
 
+int run(uint64_t count, const char* mesh) {
+  if (mesh == nullptr) return write_stream(count, RandomTriangles(1));
+  const Copies copies(bench::triangles_of(spec::contract(spec::kHighTile), mesh), count);
+  return write_stream(copies.count(), copies);
+}
+
 }  // namespace
 }  // namespace pineda::scene
 
 int main(int argc, char** argv) {
   char* end = nullptr;
-  const uint64_t count = argc == 2 ? std::strtoull(argv[1], &end, 10) : 0;
-  if (argc != 2 || end == argv[1] || *end != '\0' || count > uint64_t{1} << 32) {
-    std::fputs("usage: bench_stream TRIANGLES > FILE.ptrb    (at most 2^32)\n", stderr);
+  const uint64_t count = argc == 2 || argc == 3 ? std::strtoull(argv[1], &end, 10) : 0;
+  if (argc < 2 || argc > 3 || end == argv[1] || *end != '\0' || count > uint64_t{1} << 32) {
+    std::fputs(
+        "usage: bench_stream TRIANGLES > FILE.ptrb    (at most 2^32)\n"
+        "       bench_stream COPIES MESH > FILE.ptrb\n",
+        stderr);
     return 2;
   }
-  if (pineda::scene::run(count) == 0) return 0;
+  try {
+    if (pineda::scene::run(count, argc == 3 ? argv[2] : nullptr) == 0) return 0;
+  } catch (const pineda::scene::InputError& e) {
+    std::fprintf(stderr, "bench_stream: %s\n", e.what());
+    return 2;
+  }
   std::perror("bench_stream: expected to write");
   return 1;
 }
