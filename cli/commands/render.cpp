@@ -148,7 +148,9 @@ void add_render(CLI::App* program, int* exit_code) {
   command->add_option("--bench", options->bench, "Median seconds of N renders in memory")
       ->check(CLI::Range(1, 1'000'000))
       ->type_name("N");
-  command->add_option("--threads", options->threads, "Threads that draw; the frame is the same with any number")
+  command
+      ->add_option("--threads", options->threads,
+                   "Threads that draw; the frame is the same with any number")
       ->check(CLI::Range(1, 256))
       ->type_name("T")
       ->capture_default_str();
