@@ -905,7 +905,7 @@ HWY_AFTER_NAMESPACE();
 namespace pineda::fast {
 
 bool has_blocks(const spec::Contract& c) {
-  if ((hwy::SupportedTargets() & ~int64_t{HWY_SCALAR}) == 0) return false;
+  if ((HWY_SUPPORTED_TARGETS & ~int64_t{HWY_SCALAR}) == 0) return false;
   const spec::Design& d = c.design;
   const spec::ErrorBounds error = spec::error_bounds_before_rounding(d);
   const bool depth = !d.depth_test || (d.depth_bits + d.tile_fraction_bits <= 32 &&

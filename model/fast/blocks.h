@@ -3,6 +3,7 @@
 
 #include "model/core/interp.h"
 #include "model/fast/block_buffer.h"
+#include "model/fast/highway_targets.h"
 #include "model/fast/prim_group.h"
 
 namespace pineda::fast {

@@ -35,9 +35,14 @@ const char* level_name(Level level) {
     case Level::kBase:
       break;
   }
+#if defined(__aarch64__)
+  return "neon";
+#else
   return "base";
+#endif
 }
 
+#if defined(__x86_64__)
 namespace {
 
 // The targets of Highway that a level may use. Better ones have lower bits.
@@ -48,19 +53,19 @@ int64_t targets_of(Level level) {
     case Level::kAvx2:
       return ~(HWY_AVX2 - 1);
     case Level::kBase:
-#if defined(__x86_64__)
       return ~(HWY_SSE4 - 1);
-#endif
-      break;
   }
   return ~int64_t{0};
 }
 
 }  // namespace
+#endif
 
 void set_level(Level level) {
   detail::level = level;
+#if defined(__x86_64__)  // elsewhere Highway has one target, and no choice
   hwy::GetChosenTarget().Update(hwy::SupportedTargets() & targets_of(level));
+#endif
 }
 
 namespace {

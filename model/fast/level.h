@@ -9,7 +9,7 @@ namespace pineda::fast {
 /// processor has, and of Highway's kernels the best one below AVX2: SSE4 or NEON.
 enum class Level { kBase, kAvx2, kAvx512 };
 
-/// "base", "avx2", "avx512".
+/// "base" (on ARM "neon"), "avx2", "avx512".
 const char* level_name(Level level);
 
 /// The levels that this machine can run, kBase first.

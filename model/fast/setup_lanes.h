@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "model/fast/highway_targets.h"
 #include "model/fast/prim_group.h"
 
 namespace pineda::fast {
