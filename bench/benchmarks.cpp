@@ -14,6 +14,7 @@
 #include "bench/limits.h"
 #include "bench/scenes.h"
 #include "cli/simd_option.h"
+#include "model/fast/band_renderer.h"
 #include "model/fast/level.h"
 #include "model/fast/renderer.h"
 #include "model/fast/setup.h"
@@ -102,6 +103,20 @@ void measure_draw(State& state, const std::string& scene) {
   state.counters["sample"] = time_of_one(counters.fragments);
 }
 
+// Setup and drawing by some threads: from beginning to end, and of all processors together.
+void measure_threads(State& state, const std::string& scene, int threads) {
+  const auto& triangles = triangles_in_memory(scene);
+  fast::BandRenderer renderer(contract(), frame_state(), threads, fast::Renderer::Hits::kUncounted);
+  for ([[maybe_unused]] auto _ : state) {
+    state.PauseTiming();
+    renderer.clear();
+    state.ResumeTiming();
+    renderer.draw(triangles);
+    benchmark::ClobberMemory();
+  }
+  set_items(&state, triangles.size(), triangles.groups().size() * sizeof(fast::TriangleGroup));
+}
+
 void measure_fill(State& state) {
   std::vector<uint8_t> to(kBufferBytes, 1);
   int value = 0;
@@ -158,6 +173,13 @@ void register_all() {
         ->Unit(benchmark::kMillisecond);
     RegisterBenchmark(("draw/" + scene).c_str(), measure_draw, scene)
         ->Unit(benchmark::kMillisecond);
+    for (const int threads : {1, 2, 4, 8, 16}) {
+      const std::string name = fmt::format("threads/{}/{}", scene, threads);
+      RegisterBenchmark(name.c_str(), measure_threads, scene, threads)
+          ->Unit(benchmark::kMillisecond)
+          ->MeasureProcessCPUTime()
+          ->UseRealTime();
+    }
   }
 }
 
