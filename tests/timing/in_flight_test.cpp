@@ -62,15 +62,21 @@ int compare(const spec::Contract& c, uint32_t seed, Cycle late) {
   const size_t stamps = size_t{1} << fast::stamps_log2(c.design);
   std::vector<std::vector<Cycle>> expected(6, std::vector<Cycle>(stamps));
   std::vector<Cycle> since(6);  // cycles before the last run do not matter
-  int compared = 0;
+  int compared = 0, overlaps = 0;
   Cycle now = 0;
   for (int step = 0; step < 200; ++step) {
     now += random.between(0, 4);
     const fast::TileCover cover = random_cover(c, &random);
     const auto tile = static_cast<size_t>(3 * cover.y + cover.x);
     auto& of_tile = expected[tile];
-    if (random.coin() && in_flight.tile_free(tile) <= now) {
-      in_flight.run(tile, cover.covered, now + kFlight);
+    bool is_free = true;
+    Cycle comes = now;
+    cover.covered.for_each_stamp(
+        [&](int place) { is_free = is_free && of_tile[static_cast<size_t>(place)] <= comes++; });
+    if (in_flight.takes_run(tile, cover.covered, now) != is_free) return -1;
+    if (random.coin() && is_free) {
+      overlaps += in_flight.tile_free(tile) > now ? 1 : 0;
+      in_flight.run(tile, cover.covered, now, now + kFlight);
       since[tile] = now;
       cover.covered.for_each_stamp(
           [&](int place) { of_tile[static_cast<size_t>(place)] = now++ + kFlight + 1 + late; });
@@ -89,7 +95,7 @@ int compare(const spec::Contract& c, uint32_t seed, Cycle late) {
     });
     if (!same || in_flight.tile_free(tile) != now + kFlight) return -1;
   }
-  return compared;
+  return overlaps > 0 ? compared : -1;
 }
 
 TEST(InFlight, KnowsTheCycleOfEachStamp) {
@@ -110,7 +116,7 @@ TEST(InFlight, FrameBeginsWithNoneInFlight) {
   const fast::TileCover cover = random_cover(c, &random);
   InFlight in_flight(c.design);
   in_flight.begin_frame(1);
-  in_flight.run(0, cover.covered, 100);
+  in_flight.run(0, cover.covered, 90, 100);
   in_flight.begin_frame(1);
   EXPECT_EQ(in_flight.tile_free(0), 0);
   EXPECT_EQ(in_flight.stamp_free(0, cover.covered.first), 0);

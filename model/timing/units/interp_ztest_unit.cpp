@@ -35,7 +35,7 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
   write_free_ = retired_ = exit_ = -1;
   // Nothing has been loaded in cycle -1 or before: all slots are free.
   tile_loads_.assign(static_cast<size_t>(d.plane_slots) - 1, -1);
-  tiles_accepted_ = tiles_loaded_ = 0;
+  tiles_accepted_ = tiles_loaded_ = slot_ = 0;
 
   if (!frame->tokens) {
     const bool all = frame->planes == fast::Planes::kAll;
@@ -105,12 +105,11 @@ bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
   const fast::TileSamples& covered = cover.covered;
   const size_t number = tile_of(cover);
   if (time_.now() > first_visible) return false;
-  if (tests_ && in_flight_.tile_free(number) > first_visible) return false;
+  if (tests_ && !in_flight_.takes_run(number, covered, first_visible)) return false;
   // The stamps enter the FIFO a cycle before they are visible. All but the first one find room for
   // the tile after this one.
-  if (planes_free(tiles_accepted_) >= first_visible) return false;
-  if (covered.count > 1 &&
-      (tile_loads_.size() == 1 || planes_free(tiles_accepted_ + 1) > first_visible)) {
+  if (planes_free(slot_) >= first_visible) return false;
+  if (covered.count > 1 && (tile_loads_.size() == 1 || planes_free(next_slot()) > first_visible)) {
     return false;
   }
   keep_planes(first_visible + pass_cycles_ - 1);
@@ -119,7 +118,7 @@ bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
   time_.work(covered.count, tile.prim->id);
   const Cycle retire = first_visible + pass_cycles_;  // of the first stamp
   write_free_ = retire + covered.count - 1;
-  if (tests_) in_flight_.run(number, covered, retire);
+  if (tests_) in_flight_.run(number, covered, first_visible, retire);
   if (frame_->last_write != nullptr) {
     frame_->last_write->run(cover.x, cover.y, retire);
   } else {
@@ -130,17 +129,18 @@ bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
 
 Cycle InterpZtestUnit::has_room() {
   if (frame_->tokens) wait_for_planes();
-  return planes_free(tiles_accepted_);
+  return planes_free(slot_);
 }
 
-// From this cycle on there is a slot for the planes of a tile, given by its number.
-Cycle InterpZtestUnit::planes_free(uint64_t tile) const {
-  return tile_loads_[tile % tile_loads_.size()] + 1;
+void InterpZtestUnit::accept_tile() {
+  ++tiles_accepted_;
+  slot_ = next_slot();
 }
 
 // Notes a tile whose first stamp is accepted, and where memories are always ready is loaded then.
 void InterpZtestUnit::keep_planes(Cycle loaded) {
-  tile_loads_[tiles_accepted_++ % tile_loads_.size()] = loaded;
+  tile_loads_[slot_] = loaded;
+  accept_tile();
 }
 
 void InterpZtestUnit::draw(const TileToken& tile) {
@@ -186,7 +186,7 @@ Cycle InterpZtestUnit::take_token(const StampToken& token, Cycle visible) {
   const spec::Stamp& stamp = *token.tile->stamp;
   const size_t address = address_of(*token.tile->cover, token.place);
   spec::DepthData data{};
-  if (token.is_first()) ++tiles_accepted_;
+  if (token.is_first()) accept_tile();
   time_.starve(visible);
   Cycle response = 0;
   const Cycle accepted = accept(token, address, &data, &response);

@@ -143,7 +143,10 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   uint32_t inside(int stamp_x, int stamp_y) const;
   void wait_for(uint64_t retired);
   void wait_for_planes();
-  Cycle planes_free(uint64_t tile) const;
+  size_t next_slot() const { return slot_ + 1 == tile_loads_.size() ? 0 : slot_ + 1; }
+  // From this cycle on there is room for the planes of a tile in a slot.
+  Cycle planes_free(size_t slot) const { return tile_loads_[slot] + 1; }
+  void accept_tile();
   void keep_planes(Cycle loaded);
   bool step(Cycle until);
   bool offer(Cycle until);
@@ -180,6 +183,7 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   std::vector<Cycle> slot_free_;  // by slot of the in-flight table
   // By tile modulo plane_slots - 1: when its first stamp was loaded.
   std::vector<Cycle> tile_loads_;
+  size_t slot_ = 0;  // of the next tile: tiles_accepted_ modulo plane_slots - 1
   uint64_t tiles_accepted_ = 0;
   uint64_t tiles_loaded_ = 0;
   std::vector<Cycle> exits_;  // of the last L + 1 colour writes

@@ -23,10 +23,15 @@ void LastWrite::begin_frame(const spec::FrameState& frame, fast::TiledBuffer* bu
 
 void LastWrite::triangle(const spec::Triangle& t) {
   if (runs_.size() >= kKept) flush();
-  triangles_.push_back({Corner(t.v[0]), Corner(t.v[1]), Corner(t.v[2])});
+  triangle_ = &t;
 }
 
 void LastWrite::add(int tile_x, int tile_y, uint32_t irregular, Cycle retire) {
+  if (triangle_ != nullptr) {
+    const auto& v = triangle_->v;
+    triangles_.push_back({Corner(v[0]), Corner(v[1]), Corner(v[2])});
+    triangle_ = nullptr;
+  }
   const auto tile = static_cast<uint32_t>(tile_y * tile_columns_ + tile_x);
   // Written field by field. Building a Run and copying it is slower: the copy would read back what
   // was only just stored.

@@ -24,7 +24,7 @@ class LastWrite {
 
   /// The buffer's depths are cleared where they are needed.
   void begin_frame(const spec::FrameState& frame, fast::TiledBuffer* buffer);
-  /// A triangle that setup sends.
+  /// A triangle that setup sends. It must be there until its last run().
   void triangle(const spec::Triangle& triangle);
   /// A tile of the last triangle. The k-th stamp, from 0, retires in `retire` + k.
   void run(int tile_x, int tile_y, Cycle retire);
@@ -62,7 +62,8 @@ class LastWrite {
   spec::FrameState frame_;
   fast::TiledBuffer* buffer_ = nullptr;
   int tile_columns_ = 0;
-  std::vector<std::array<Corner, 3>> triangles_;
+  const spec::Triangle* triangle_ = nullptr;      // the last one, as long as it has no run
+  std::vector<std::array<Corner, 3>> triangles_;  // that have a run
   std::vector<Run> runs_;
   std::vector<Cycle> irregular_;
   std::vector<uint32_t> last_;  // by tile: its last run that is not tested
