@@ -35,6 +35,14 @@ void for_each_bit(const uint64_t* words, size_t count, Visitor&& visit) {
   }
 }
 
+/// Bits that are set. (Where the compiler may not count on an instruction, it calls a function.)
+inline int count_bits(uint64_t bits) {
+  bits -= bits >> 1 & 0x5555555555555555;
+  bits = (bits & 0x3333333333333333) + (bits >> 2 & 0x3333333333333333);
+  bits = (bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0f;
+  return static_cast<int>(bits * 0x0101010101010101 >> 56);
+}
+
 /// Some samples of a tile, and the stamps that have one of them. A stamp's place is its number in
 /// the whole tile, row by row.
 struct TileSamples {
@@ -54,27 +62,10 @@ struct TileSamples {
   /// How many stamps before this place have a sample.
   int before(int place) const {
     int n = 0;
-    for (int word = 0; word < place / 64; ++word) {
-      n += __builtin_popcountll(stamps[static_cast<size_t>(word)]);
-    }
+    for (int word = 0; word < place / 64; ++word)
+      n += count_bits(stamps[static_cast<size_t>(word)]);
     const uint64_t below = (uint64_t{1} << (place % 64)) - 1;
-    return n + __builtin_popcountll(stamps[static_cast<size_t>(place) / 64] & below);
-  }
-  /// How many groups of 2^group_log2 stamps side by side, at most a row of the tile, have a sample.
-  int groups(int group_log2) const {
-    constexpr uint64_t kFirst[] = {~uint64_t{0},
-                                   0x5555555555555555,
-                                   0x1111111111111111,
-                                   0x0101010101010101,
-                                   0x0001000100010001,
-                                   0x0000000100000001,
-                                   1};
-    int n = 0;
-    for (uint64_t bits : stamps) {
-      for (int log2 = 0; log2 < group_log2; ++log2) bits |= bits >> (1 << log2);
-      n += __builtin_popcountll(bits & kFirst[group_log2]);
-    }
-    return n;
+    return n + count_bits(stamps[static_cast<size_t>(place) / 64] & below);
   }
   /// Calls visit(place) for each stamp that has a sample.
   template <class Visitor>
@@ -117,6 +108,13 @@ struct GroupBox {
   }
 };
 
+/// The groups that have a stamp with a sample; no meaning where there is none.
+struct CoveredGroups {
+  int first = 0, last = 0;  // numbers of their tests
+  int count = 0;
+  int before_last = 0;  // stamps with a sample before the last group
+};
+
 /// A tile that no edge rejects, with the coverage of its stamps.
 struct TileCover {
   int x = 0, y = 0;                    // column and row, in tiles
@@ -125,6 +123,7 @@ struct TileCover {
   bool full = false;                   // every sample of the tile is covered
   GroupBox box;
   TileSamples covered;
+  CoveredGroups groups;
 
   explicit TileCover(const spec::Contract& contract) : covered(contract.design) {
     box.columns_log2 = contract.design.tile_log2 - contract.design.stamp_width_log2;
@@ -150,7 +149,7 @@ inline int count_lanes(uint32_t mask) {
 /// In       begin(): a SetupPrim, which must outlive the walk; its planes are not looked at; the rows
 ///          of tiles that are wanted.
 /// Out      next(): one tile test a call; *cover is written when the tile is kept, except for its
-///          samples, which cover_stamps() finds.
+///          samples and groups, which cover_stamps() finds.
 class TileCoverWalk {
  public:
   explicit TileCoverWalk(const spec::Contract& contract) : contract_(contract) {}

@@ -51,7 +51,8 @@ RasterTop::RasterTop(sc_core::sc_module_name name, const spec::Contract& contrac
       interp_ztest_("interp_ztest", contract),
       ports_("memory_ports", contract),
       hierarchical_z_(contract, [this](Cycle cycle) { interp_ztest_.advance(cycle); }),
-      last_write_(contract) {
+      last_write_(contract),
+      small_walks_(contract) {
   triangles_.tri_o(setup_.tri_i);
   setup_.prim_o(prims_);
   prims_.out_o(traversal_.prim_i);
@@ -102,31 +103,25 @@ void RasterTop::set_ready(const Ready& ready) {
   if (memory_) memory_->set_ready(ready);
 }
 
-namespace {
-
-// Fetches a triangle into the processor's cache before setup needs it.
-void prefetch(const std::vector<spec::Triangle>& triangles, size_t i) {
-  if (i >= triangles.size()) return;
-  const char* const bytes = reinterpret_cast<const char*>(&triangles[i]);
-  for (size_t line = 0; line < sizeof triangles[i]; line += 64) __builtin_prefetch(bytes + line);
-}
-
-}  // namespace
-
 FrameResult RasterTop::run(const spec::FrameState& state, const Pull& pull, Listener* listener) {
   spec::Triangle triangle;
   return draw(
-      state, [&] { return pull(&triangle) ? &triangle : nullptr; }, listener);
+      state,
+      [&] {
+        return Triangles{&triangle, pull(&triangle) ? size_t{1} : 0};
+      },
+      listener);
 }
 
 FrameResult RasterTop::run(const spec::FrameState& state,
                            const std::vector<spec::Triangle>& triangles, Listener* listener) {
-  size_t i = 0;
+  size_t begun = 0;
   return draw(
       state,
-      [&]() -> const spec::Triangle* {
-        prefetch(triangles, i + 3);
-        return i < triangles.size() ? &triangles[i++] : nullptr;
+      [&] {
+        const size_t first = begun;
+        begun = std::min(first + fast::kGroup, triangles.size());
+        return Triangles{triangles.data() + first, begun - first};
       },
       listener);
 }
@@ -136,7 +131,7 @@ FrameResult RasterTop::draw(const spec::FrameState& state, const Next& next, Lis
   const Running running(this);
   if (!sc_core::sc_start_of_simulation_invoked()) sc_core::sc_start(sc_core::SC_ZERO_TIME);
   begin_frame(state, listener);
-  const TriangleSource::Failure failure = triangles_.draw(next, run_from_);
+  const TriangleSource::Failure failure = triangles_.draw(next, run_from_, &frame_);
   setup_.drain();
   interp_ztest_.drain();
   const FrameResult frame = result();
@@ -182,6 +177,11 @@ void RasterTop::begin_frame(const spec::FrameState& state, Listener* listener) {
   is_direct_ = listener == nullptr && memory_ && memory_->is_transparent() &&
                interp_ztest_.keeps_up_with(memory_->fixed_latency());
   frame_.tokens = !is_direct_;
+  // Hierarchical z takes tiles out of a walk.
+  if (is_direct_ && !hierarchical_z_.is_active() && fast::SmallWalks::fit(contract_.design)) {
+    small_walks_.begin_frame(state);
+    frame_.small_walks = &small_walks_;
+  }
   if (!bits_ && listener == nullptr && memory_) leave_out_bits();
   if (is_direct_) {
     clear_direct();

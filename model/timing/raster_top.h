@@ -111,6 +111,7 @@ class RasterTop final : public sc_core::sc_module {
   sc_core::sc_time begun_;  // of the frame
   HierarchicalZ hierarchical_z_;
   LastWrite last_write_;
+  fast::SmallWalks small_walks_;
   bool bits_ = true;
   bool running_ = false;
   bool is_direct_ = false;    // the last frame was drawn into direct_, memory_ did not see it

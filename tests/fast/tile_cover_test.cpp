@@ -65,11 +65,15 @@ void add_stamps(const spec::Contract& c, const fast::TileCover& cover, Walk* wal
     last = place;
   });
   EXPECT_EQ(cover.covered.count, count);
-  EXPECT_EQ(cover.covered.groups(c.width.tested_stamps_log2), static_cast<int>(groups.size()));
   EXPECT_EQ(cover.covered.sample_count, samples);
   if (count == 0) return;
   EXPECT_EQ(cover.covered.first, first);
   EXPECT_EQ(cover.covered.last, last);
+  EXPECT_EQ(cover.groups.count, static_cast<int>(groups.size()));
+  EXPECT_EQ(cover.groups.first, *groups.begin());
+  EXPECT_EQ(cover.groups.last, *groups.rbegin());
+  const int last_group = last >> c.width.tested_stamps_log2 << c.width.tested_stamps_log2;
+  EXPECT_EQ(cover.groups.before_last, cover.covered.before(last_group));
 }
 
 Walk fast_walk(const spec::Contract& c, const spec::SetupPrim& prim, bool skips) {

@@ -71,6 +71,28 @@ TEST_F(RasterTopReports, TriangleBeyondItsFieldsIsRefused) {
   EXPECT_EQ(run({{2, 2}, {cover()}}).cycles, 46);
 }
 
+// In the middle of a group that is looked at together, and first and last in it.
+TEST_F(RasterTopReports, TrianglesBeforeOneOutOfRangeAreDrawnAndTimed) {
+  for (const size_t faulty : {1, 7, 15, 16, 17, 31}) {
+    Scene scene{{64, 64}, {}};
+    for (int i = 0; i < 40; ++i) {
+      scene.triangles.push_back(flat_triangle(i, i, i + 3, i, i, i + 3));
+      scene.triangles.back().id = static_cast<uint32_t>(i);
+    }
+    Scene before{scene.frame, {}};
+    before.triangles.assign(scene.triangles.begin(),
+                            scene.triangles.begin() + static_cast<std::ptrdiff_t>(faulty));
+    top_.run(before.frame, before.triangles);
+    const core::FrameBuffer expected = top_.buffer();
+    scene.triangles[faulty].v[1].y = INT32_MIN;
+    EXPECT_EQ(reported([&] { top_.run(scene.frame, scene.triangles); }),
+              "pineda/raster_top/vertex: triangle " + std::to_string(faulty) +
+                  ", v[1].y: expected -4194304 to 4194303, got -2147483648");
+    EXPECT_EQ(top_.buffer().depth, expected.depth);
+    EXPECT_EQ(top_.buffer().color, expected.color);
+  }
+}
+
 TEST(RasterTopErrors, InverseWAndFlatAttributesHaveRanges) {
   spec::Design design = *spec::find_design("persp");
   design.flat_attributes = 1;

@@ -201,6 +201,52 @@ TEST_P(RasterTopScenes, FrameDoesNotDependOnTheFramesBefore) {
             again.of(Unit::kInterpZtest)[Cause::kHazard]);
 }
 
+void expect_same(const timing::FrameResult& got, const timing::FrameResult& expected) {
+  EXPECT_EQ(got.cycles, expected.cycles);
+  EXPECT_EQ(got.spent.drained, expected.spent.drained);
+  for (size_t i = 0; i < timing::kUnits; ++i) {
+    EXPECT_EQ(got.spent.units[i].spent, expected.spent.units[i].spent)
+        << timing::unit_name(static_cast<Unit>(i));
+  }
+  EXPECT_EQ(got.spent.levels, expected.spent.levels);
+  EXPECT_EQ(got.spent.stamps_by_samples, expected.spent.stamps_by_samples);
+  EXPECT_EQ(got.spent.samples_passed, expected.spent.samples_passed);
+  EXPECT_EQ(got.spent.samples_failed, expected.spent.samples_failed);
+  for (const core::FrameCounter& row : core::kFrameCounters) {
+    EXPECT_EQ(row.of(got.counters), row.of(expected.counters)) << row.name;
+  }
+}
+
+class RasterTopGroups : public testing::TestWithParam<const char*> {};
+
+// Small triangles among others, and dropped ones of each kind: those in memory are looked at sixteen at
+// a time, with something left over at the end.
+TEST_P(RasterTopGroups, TrianglesInMemoryAreTimedAsThoseThatComeOneByOne) {
+  const spec::Contract contract = spec::contract(*spec::find_design(GetParam()));
+  timing::RasterTop top("top", contract);
+  uint64_t stamps = 0;
+  for (const Kind kind : kKinds) {
+    for (uint64_t seed = 0; seed < 6; ++seed) {
+      const Scene scene = random_scene(kind, 3000 + seed, 75, contract);
+      for (const bool bits : {false, true}) {
+        top.set_bits(bits);
+        const auto one_by_one = top.run(scene.frame, pull_from(scene));
+        const core::FrameBuffer buffer = top.buffer();
+        const auto in_memory = top.run(scene.frame, scene.triangles);
+        expect_same(in_memory, one_by_one);
+        if (bits) {
+          EXPECT_EQ(top.buffer().color, buffer.color);
+        }
+        ASSERT_FALSE(HasFailure()) << kind_name(kind) << " " << seed;
+        stamps += in_memory.counters.stamps;
+      }
+    }
+  }
+  EXPECT_GT(stamps, 1000u);
+}
+INSTANTIATE_TEST_SUITE_P(Designs, RasterTopGroups,
+                         testing::Values("high_tile", "flat", "wide", "tiny", "persp"));
+
 // Frames of one size, one after the other, in the same memory: with a listener, without one, and
 // computing time only, where depths are cleared when they are first needed.
 TEST_F(RasterTopTiming, EachFrameIsClearedToItsOwnDepth) {

@@ -3,6 +3,7 @@
 
 #include "model/core/frame_counters.h"
 #include "model/fast/setup.h"
+#include "model/fast/small_walks.h"
 #include "model/fast/tile_shader.h"
 #include "model/timing/counted/listener.h"
 #include "model/timing/units/hierarchical_z.h"
@@ -29,6 +30,10 @@ struct Frame {
   fast::Planes planes = fast::Planes::kAll;  // what setup makes
   LastWrite* last_write = nullptr;           // if depths are tested at the end, where needed
   HierarchicalZ* hierarchical_z = nullptr;   // if the design has it
+  // Looks at triangles before their turn; null if none are looked at. `walk` is what it finds of the
+  // triangle that goes through the units now, null if nothing.
+  fast::SmallWalks* small_walks = nullptr;
+  const fast::SmallWalk* walk = nullptr;
 };
 
 }  // namespace pineda::timing

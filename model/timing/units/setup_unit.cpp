@@ -20,7 +20,7 @@ void SetupUnit::begin_frame(Frame* frame) {
 }
 
 Cycle SetupUnit::take(const spec::Triangle& triangle, Cycle offered) {
-  const core::Drop drop = fast::setup(contract_, frame_->state, triangle, &prim_, frame_->planes);
+  const core::Drop drop = set_up(triangle);
   ++frame_->counters.triangles;
   ++frame_->counters.dropped[static_cast<size_t>(drop)];
 
@@ -40,6 +40,16 @@ Cycle SetupUnit::take(const spec::Triangle& triangle, Cycle offered) {
   if (frame_->last_write != nullptr) frame_->last_write->triangle(triangle);
   send(step);
   return accepted;
+}
+
+core::Drop SetupUnit::set_up(const spec::Triangle& triangle) {
+  const fast::SmallWalk* const walk = frame_->walk;
+  const bool needs_prim = walk == nullptr || frame_->planes != fast::Planes::kNone;
+  if (needs_prim) {
+    return fast::setup(contract_, frame_->state, triangle, &prim_, frame_->planes);
+  }
+  prim_.id = triangle.id;
+  return walk->drop;
 }
 
 // The step in which a triangle that could be accepted in `step` has its turn.

@@ -56,6 +56,7 @@ class SetupUnit final : public sc_core::sc_module, public StreamIn<spec::Triangl
   };
 
   void end_of_elaboration() override;
+  core::Drop set_up(const spec::Triangle& triangle);
   Cycle in_turn(Cycle step) const;
   Cycle accept(Cycle offered);  // the cycle in which a triangle offered from then on is accepted
   void send(Cycle accepted_step);

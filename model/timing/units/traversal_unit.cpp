@@ -43,6 +43,10 @@ void TraversalUnit::begin_frame(Frame* frame) {
 Cycle TraversalUnit::take(const spec::SetupPrim& prim, Cycle visible) {
   const Cycle cycle = taken(
       visible, contract_.design.prim_fifo_depth == 0 || contract_.design.hierarchical_z, &time_);
+  if (frame_->walk != nullptr) {
+    walk_small(prim, *frame_->walk);
+    return cycle;
+  }
   walk_.begin(prim);
   if (floors_) floors_->begin(prim);
   if (frame_->tokens) {
@@ -51,6 +55,21 @@ Cycle TraversalUnit::take(const spec::SetupPrim& prim, Cycle visible) {
     walk_tiles(prim);
   }
   return cycle;
+}
+
+void TraversalUnit::walk_small(const spec::SetupPrim& prim, const fast::SmallWalk& walk) {
+  core::FrameCounters& counters = frame_->counters;
+  const fast::TileCover* cover = walk.kept;
+  for (int test = 0; test < walk.tests; ++test) {
+    ++counters.tiles_tested;
+    if ((walk.rejected >> test & 1) != 0) {
+      ++counters.tiles_rejected;
+    } else {
+      prefetch(*cover);
+      send({&prim, cover++, nullptr});
+    }
+    time_.work(1, prim.id);
+  }
 }
 
 void TraversalUnit::walk_tiles(const spec::SetupPrim& prim) {
@@ -66,7 +85,8 @@ void TraversalUnit::walk_tiles(const spec::SetupPrim& prim) {
     if (is_hidden()) {
       ++counters.tiles_hidden;
     } else {
-      prefetch();
+      prefetch(cover_);
+      walk_.cover_stamps(&cover_, &frame_->stamps_by_samples);
       send({&prim, &cover_, nullptr});
     }
     time_.work(1, prim.id);
@@ -87,23 +107,23 @@ void TraversalUnit::walk_stamps(const spec::SetupPrim& prim) {
       ++counters.tiles_hidden;
     } else {
       core::StampWalk(contract_, tile_).begin(&stamp_);
+      walk_.cover_stamps(&cover_, &frame_->stamps_by_samples);
       send({&prim, &cover_, &stamp_});
     }
   }
 }
 
-// Finds the coverage of the tile's stamps and hands the tile over.
+// Hands the tile over, whose stamps are covered.
 void TraversalUnit::send(const TileToken& tile) {
-  walk_.cover_stamps(&cover_, &frame_->stamps_by_samples);
-  frame_->counters.tiles_accepted += cover_.accepted ? 1 : 0;
-  frame_->stamps.add(cover_.covered);
+  frame_->counters.tiles_accepted += tile.cover->accepted ? 1 : 0;
+  frame_->stamps.add(tile.cover->covered);
   time_.spend(Cause::kBlocked, tiles_.push(tile, time_.now()), tile.prim->id);
 }
 
 // Fetches the tile's values into the processor's cache. They arrive while its coverage is found.
-void TraversalUnit::prefetch() const {
+void TraversalUnit::prefetch(const fast::TileCover& cover) const {
   if (!frame_->has_values) return;
-  frame_->buffer->prefetch(cover_, frame_->planes == fast::Planes::kAll);
+  frame_->buffer->prefetch(cover, frame_->planes == fast::Planes::kAll);
 }
 
 bool TraversalUnit::is_hidden() {
@@ -128,19 +148,15 @@ Cycle TraversalUnit::Coverage::take(const TileToken& tile, Cycle visible) {
 }
 
 bool TraversalUnit::Coverage::take_run(const TileToken& tile) {
-  const fast::TileSamples& covered = tile.cover->covered;
-  const fast::GroupBox& box = tile.cover->box;
-  const int first = box.test_of(covered.first);
-  const int last = box.test_of(covered.last);
-  const int groups = covered.groups(box.group_log2);
-  if (groups != last - first + 1) return false;
-  const Cycle done = std::max(time.now() + first, sent());  // the first group that is not empty
+  const fast::CoveredGroups& groups = tile.cover->groups;
+  if (groups.count != groups.last - groups.first + 1) return false;
+  // Of the first group that is not empty.
+  const Cycle done = std::max(time.now() + groups.first, sent());
   if (!unit_.stamp_o->push_run(tile, done + 1)) return false;
-  const int before_last = covered.before(covered.last >> box.group_log2 << box.group_log2);
-  time.work_at_times(first + groups, done + before_last + 1);
-  time.work(box.tests() - last - 1, tile.prim->id);
+  time.work_at_times(groups.last + 1, done + groups.before_last + 1);
+  time.work(tile.cover->box.tests() - groups.last - 1, tile.prim->id);
   sender.starve(done + 1);
-  sender.work(covered.count, tile.prim->id);
+  sender.work(tile.cover->covered.count, tile.prim->id);
   return true;
 }
 

@@ -74,10 +74,11 @@ class TraversalUnit final : public sc_core::sc_module, public StreamIn<spec::Set
   };
 
   void end_of_elaboration() override;
+  void walk_small(const spec::SetupPrim& prim, const fast::SmallWalk& walk);
   void walk_tiles(const spec::SetupPrim& prim);
   void walk_stamps(const spec::SetupPrim& prim);
   void send(const TileToken& tile);
-  void prefetch() const;
+  void prefetch(const fast::TileCover& cover) const;
   bool is_hidden();
 
   spec::Contract contract_;

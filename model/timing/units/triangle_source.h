@@ -13,8 +13,13 @@ namespace pineda::timing {
 
 /// Fills in the next triangle of the frame; false at the end.
 using Pull = std::function<bool(spec::Triangle*)>;
-/// The next triangle of the frame, good until the next call; null at the end.
-using Next = std::function<const spec::Triangle*()>;
+/// Triangles behind each other in memory.
+struct Triangles {
+  const spec::Triangle* first = nullptr;
+  size_t count = 0;
+};
+/// The next triangles of the frame, at most fast::kGroup, good until the next call; none at the end.
+using Next = std::function<Triangles()>;
 
 /// Offers the triangles that a function gives, one after the other. The first one is offered from
 /// cycle 0 on, any other after the one before it is taken: from the first cycle on in which the
@@ -37,10 +42,12 @@ class TriangleSource final : public sc_core::sc_module {
 
   void set_ready(Ready ready) { ready_ = std::move(ready); }
   /// Sends all of them through the units. None is taken before `run_from`.
-  Failure draw(const Next& next, Cycle run_from);
+  Failure draw(const Next& next, Cycle run_from, Frame* frame);
 
  private:
   void end_of_elaboration() override { require_bound(tri_o, "pineda/triangles/unbound"); }
+
+  size_t legal(const Triangles& triangles, Failure* failure) const;
 
   Ready ready_;
   spec::TriangleRange range_;
