@@ -154,7 +154,8 @@ void InterpZtestUnit::draw(const TileToken& tile) {
 void InterpZtestUnit::pass_run(const fast::TileCover& cover, Cycle retire) {
   const fast::TileSamples& passed = frame_->has_values ? shader_->passed() : cover.covered;
   if (passed.count == 0) return;
-  pass(retire + cover.covered.before(passed.last));
+  const bool all = passed.count == cover.covered.count;
+  pass(retire + (all ? passed.count - 1 : cover.covered.before(passed.last)));
   if (!writes_depth_ || frame_->hierarchical_z == nullptr) return;
   passed.for_each_stamp(
       [&](int place) { update(cover, place, retire + cover.covered.before(place)); });
