@@ -22,8 +22,9 @@ BandRenderer::BandRenderer(const spec::Contract& contract, const spec::FrameStat
   for (int i = 0; i < bands; ++i) {
     const core::TileRows band{rows * i / bands, rows * (i + 1) / bands - 1};
     bands_.push_back(std::make_unique<Renderer>(contract, frame, band, hits));
-    tops_.push_back(band.first << (log2 + contract.design.subpixel_bits));
+    bands_of_rows_.resize(static_cast<size_t>(band.last) + 1, static_cast<uint16_t>(i));
   }
+  row_shift_ = log2 + contract.design.subpixel_bits;
   crew_ = std::make_unique<Crew>(used);
   bins_.assign(static_cast<size_t>(used), Bins(bands_.size(), TriangleList(contract, frame)));
 }
@@ -61,15 +62,18 @@ void BandRenderer::draw_groups(const TriangleList& list, size_t first, size_t la
 // Puts triangles into the bands of their topmost to their lowest vertex; each counts in the first one.
 void BandRenderer::sort(const TriangleList& list, size_t first, size_t last, Bins* bins) const {
   for (TriangleList& bin : *bins) bin.clear();
-  const auto band_of = [this](int y) {
-    const auto below = std::upper_bound(tops_.begin() + 1, tops_.end(), y);
-    return static_cast<size_t>(below - tops_.begin()) - 1;
-  };
+  const auto last_row = static_cast<int32_t>(bands_of_rows_.size()) - 1;
   for (size_t g = first; g < last; ++g) {
     const TriangleGroup& group = list.groups()[g];
+    Each<int32_t> top, bottom;  // rows; what is above or below the frame counts with its border
+    for (size_t i = 0; i < kGroup; ++i) {
+      const auto [y0, y1, y2] = std::array{group.y[0][i], group.y[1][i], group.y[2][i]};
+      top[i] = std::clamp(std::min(std::min(y0, y1), y2) >> row_shift_, 0, last_row);
+      bottom[i] = std::clamp(std::max(std::max(y0, y1), y2) >> row_shift_, 0, last_row);
+    }
     for (size_t i = 0; i < list.in_group(g); ++i) {
-      const auto [top, bottom] = std::minmax({group.y[0][i], group.y[1][i], group.y[2][i]});
-      const size_t top_band = band_of(top), bottom_band = band_of(bottom);
+      const size_t top_band = bands_of_rows_[static_cast<size_t>(top[i])];
+      const size_t bottom_band = bands_of_rows_[static_cast<size_t>(bottom[i])];
       const bool counted = (list.counted()[g] >> i & 1) != 0;
       for (size_t band = top_band; band <= bottom_band; ++band) {
         (*bins)[band].push_back(group, i, counted && band == top_band);

@@ -32,8 +32,9 @@ class BandRenderer {
   void sort(const TriangleList& list, size_t first, size_t last, Bins* bins) const;
 
   std::vector<std::unique_ptr<Renderer>> bands_;
-  std::vector<int> tops_;   // of each band, subpixels; the first one has all that is above
-  std::vector<Bins> bins_;  // of each part of a list, in order
+  std::vector<uint16_t> bands_of_rows_;  // by row of tiles
+  int row_shift_ = 0;                    // from subpixels to rows of tiles
+  std::vector<Bins> bins_;               // of each part of a list, in order
   std::unique_ptr<Crew> crew_;
 };
 
