@@ -74,7 +74,7 @@ HWY_INLINE void test_tiles(const std::array<Edge, 3>& edges, const Box& box, siz
   const Mask across = hn::Gt(tile_of(box.x1), tile_of(box.x0));
   const Mask down = hn::Gt(tile_of(box.y1), tile_of(box.y0));
   const Mask never = is_negative(ints(0));
-  Mask follows = never, rises = never, falls = never;
+  Mask rises = never, falls = never;
   std::array<Ints, kSmallTiles> best_of{}, worst_of{};
   best_of.fill(ints(0));
   worst_of.fill(ints(0));
@@ -93,16 +93,16 @@ HWY_INLINE void test_tiles(const std::array<Edge, 3>& edges, const Box& box, siz
       worst_of[tile] = hn::Or(worst_of[tile], hn::Add(corner[tile], worst));
     }
     const Mask leftward = is_negative(edge.a), upward = hn::Lt(edge.b, ints(1));
-    const Mask rejects = is_negative(hn::Add(at, best));
-    follows = hn::Or(follows, hn::And(rejects, hn::AndNot(leftward, upward)));
     rises = hn::Or(rises, hn::Not(hn::Or(leftward, upward)));
     falls = hn::Or(falls, hn::And(leftward, upward));
   }
-  // All are tested, but for the first one of the second row where the row above lets the start follow.
+  // All are tested. The first one of the second row would not be, if an edge with a >= 0 and b <= 0
+  // rejected the one above it. But at most 8 rows that reach into the second row of tiles leave out
+  // the first row of samples: so the leftmost corner lies below it, and not to the right of the tile's
+  // last column. From that corner, where E >= 0, this E only grows towards the tile's best sample.
   const Mask turns = hn::And(rises, falls);
-  const Mask skips = hn::And(across, hn::AndNot(turns, follows));
   Ints tested = hn::Or(ints(1), ints_where(across, 2));
-  tested = hn::Or(tested, ints_where(hn::AndNot(skips, down), 4));
+  tested = hn::Or(tested, ints_where(down, 4));
   tested = hn::Or(tested, ints_where(hn::And(across, down), 8));
   Ints rejected = ints(0), accepted = ints(0);
   for (size_t tile = 0; tile < kSmallTiles; ++tile) {

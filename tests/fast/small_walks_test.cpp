@@ -23,9 +23,26 @@ spec::FrameState random_frame(Random& random) {
   return frame;
 }
 
+// With a tip near the upper right corner of a tile: an edge may reject that tile, though the box
+// reaches into it.
+spec::Triangle tip_at_a_tile(Random& random, const spec::Design& d) {
+  const int px = 1 << d.subpixel_bits;
+  const int x = static_cast<int>(8 * px * random.between(1, 6) - random.between(px / 2, px));
+  const int y = static_cast<int>(8 * px * random.between(0, 4) + random.between(0, 2 * px));
+  spec::Triangle t;
+  for (spec::Vertex& v : t.v) {
+    v.x = static_cast<int>(x + random.between(0, 7 * px));
+    v.y = static_cast<int>(y + random.between(0, 7 * px));
+  }
+  t.v[0].x = x;
+  t.v[0].y = y;
+  return t;
+}
+
 // Within `reach` px, some on or between centres of pixels; or anywhere.
 spec::Triangle random_triangle(Random& random, const spec::Design& d, int reach_px) {
   if (random.between(0, 9) == 0) return hard_triangle(random, d);
+  if (random.between(0, 3) == 0) return tip_at_a_tile(random, d);
   const int px = 1 << d.subpixel_bits;
   const int64_t x = random.between(-4 * px, 66 * px), y = random.between(-4 * px, 48 * px);
   const int grid = random.between(0, 1) == 0 ? px / 2 : 1;
