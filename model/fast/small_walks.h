@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/core/setup.h"
+#include "model/fast/highway_targets.h"
 #include "model/fast/prim_group.h"
 #include "model/fast/tile_cover.h"
 
