@@ -8,7 +8,7 @@ namespace pineda::tb {
 /// Empty where nobody stalls.
 inline timing::Ready ready_of(const memory::Stalls& stalls) {
   if (!stalls.any()) return {};
-  return [stalls](timing::ExternalPort port, timing::Cycle cycle) { return !stalls(port, cycle); };
+  return memory::Moving(stalls);
 }
 
 }  // namespace pineda::tb

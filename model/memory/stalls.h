@@ -2,6 +2,7 @@
 // see the same ones.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "model/memory/port.h"
@@ -54,21 +55,41 @@ class Stalls {
 
   /// Does any port ever stall?
   bool any() const { return mode_ != StallMode::kNone; }
-  /// Does this port stall in this cycle? Every 32 cycles each port draws a new stall probability:
-  /// 0, 1/4, 1/2 or 7/8.
+  /// Does this port stall in this cycle? Every kBlock cycles each port draws a new stall
+  /// probability: 0, 1/4, 1/2 or 7/8.
   bool operator()(Port port, Cycle cycle) const {
-    const bool source = port < Port::kOutput;
-    if (mode_ == StallMode::kNone || (mode_ == StallMode::kSource && !source) ||
-        (mode_ == StallMode::kSink && source)) {
-      return false;
-    }
     const auto time = static_cast<uint64_t>(cycle);
-    static constexpr uint64_t kEighths[] = {0, 2, 4, 7};
-    const uint64_t busy = kEighths[hash(port, time / 32) >> 8 & 3];
-    return (hash(port, ~time) >> 8 & 7) < busy;
+    const uint64_t busy = busy_eighths(port, time / kBlock);
+    return stalls(port, time, busy);
+  }
+
+  static constexpr unsigned kBlock = 32;
+  /// Bit i: this port stalls in cycle kBlock * block + i.
+  uint32_t in_block(Port port, uint64_t block) const {
+    const uint64_t busy = busy_eighths(port, block);
+    uint32_t all = 0;
+    if (busy == 0) return all;
+    for (unsigned i = 0; i < kBlock; ++i) {
+      all |= static_cast<uint32_t>(stalls(port, block * kBlock + i, busy)) << i;
+    }
+    return all;
   }
 
  private:
+  // Of eight cycles of a block so many stall.
+  uint64_t busy_eighths(Port port, uint64_t block) const {
+    const bool source = port < Port::kOutput;
+    if (mode_ == StallMode::kNone || (mode_ == StallMode::kSource && !source) ||
+        (mode_ == StallMode::kSink && source)) {
+      return 0;
+    }
+    static constexpr uint64_t kEighths[] = {0, 2, 4, 7};
+    return kEighths[hash(port, block) >> 8 & 3];
+  }
+  bool stalls(Port port, uint64_t time, uint64_t busy) const {
+    return (hash(port, ~time) >> 8 & 7) < busy;
+  }
+
   // A random number of (seed, port, time): no state, so it can be asked for in any order.
   uint64_t hash(Port port, uint64_t time) const {
     return spec::SplitMix64::at(seed_, time + (static_cast<uint64_t>(port) << 56));
@@ -76,6 +97,41 @@ class Stalls {
 
   StallMode mode_ = StallMode::kNone;
   uint64_t seed_ = 0;
+};
+
+/// Whether ports move, quickly where each port is asked about cycles close together: a block of them
+/// is drawn at once.
+class Moving {
+ public:
+  explicit Moving(const Stalls& stalls) : stalls_(stalls) {}
+
+  bool operator()(Port port, Cycle cycle) const {
+    const auto time = static_cast<uint64_t>(cycle);
+    return (in_block(port, time / kBlock) >> time % kBlock & 1) != 0;
+  }
+  /// The first cycle from `from` on in which the port moves.
+  Cycle first(Port port, Cycle from) const {
+    const auto time = static_cast<uint64_t>(from);
+    uint64_t block = time / kBlock;
+    uint32_t moving = in_block(port, block) >> time % kBlock << time % kBlock;
+    while (moving == 0) moving = in_block(port, ++block);
+    return static_cast<Cycle>(block * kBlock) + __builtin_ctz(moving);
+  }
+
+ private:
+  static constexpr unsigned kBlock = Stalls::kBlock;
+  struct Block {
+    uint64_t number = ~uint64_t{0};
+    uint32_t moving = 0;
+  };
+  uint32_t in_block(Port port, uint64_t number) const {
+    Block& block = blocks_[static_cast<size_t>(port)];
+    if (block.number != number) block = {number, ~stalls_.in_block(port, number)};
+    return block.moving;
+  }
+
+  Stalls stalls_;
+  mutable std::array<Block, static_cast<size_t>(Port::kColorWrite) + 1> blocks_;  // drawn last
 };
 
 }  // namespace pineda::memory

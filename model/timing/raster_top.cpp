@@ -174,17 +174,15 @@ void RasterTop::begin_frame(const spec::FrameState& state, Listener* listener) {
   frame_.listener = listener;
   hierarchical_z_.begin_frame(state);
   if (contract_.design.hierarchical_z) frame_.hierarchical_z = &hierarchical_z_;
-  is_direct_ = listener == nullptr && memory_ && memory_->is_transparent() &&
-               interp_ztest_.keeps_up_with(memory_->fixed_latency());
+  is_direct_ = listener == nullptr && memory_;
   frame_.tokens = !is_direct_;
-  // Hierarchical z takes tiles out of a walk.
-  if (is_direct_ && !hierarchical_z_.is_active() && fast::SmallWalks::fit(contract_.design)) {
-    small_walks_.begin_frame(state);
-    frame_.small_walks = &small_walks_;
-  }
-  if (!bits_ && listener == nullptr && memory_) leave_out_bits();
   if (is_direct_) {
-    clear_direct();
+    begin_direct();
+    // Hierarchical z takes tiles out of a walk.
+    if (!hierarchical_z_.is_active() && fast::SmallWalks::fit(contract_.design)) {
+      small_walks_.begin_frame(state);
+      frame_.small_walks = &small_walks_;
+    }
   } else {
     ports_.begin_frame(state);
     if (memory_) memory_->begin_frame(state);
@@ -198,18 +196,25 @@ void RasterTop::begin_frame(const spec::FrameState& state, Listener* listener) {
   run_from_ = first_ready(ready_, ExternalPort::kClear, kClearOffered) + 1;
 }
 
-// Draws without the sockets, straight into a buffer of its own. The memory inside is always ready
-// then and nobody listens, so nobody can tell the difference.
-void RasterTop::clear_direct() {
+// Draws without the sockets, straight into a buffer of its own. The memory is inside and nobody
+// listens, so nobody can tell the difference.
+void RasterTop::begin_direct() {
   const spec::FrameState& state = frame_.state;
+  const bool always_ready =
+      memory_->is_transparent() && interp_ztest_.keeps_up_with(memory_->fixed_latency());
+  if (!always_ready) {
+    memory_->begin_timing(state);
+    frame_.memory = memory_.get();
+  }
+  if (!bits_) leave_out_bits();
   if (state.width != direct_.width || state.height != direct_.height) {
     direct_ = fast::TiledBuffer(contract_, state);
   } else {
     direct_.clear_depth = spec::cleared_depth(contract_.design, state);
     if (frame_.has_values) {
       std::fill(direct_.depth.begin(), direct_.depth.end(), direct_.clear_depth);
-      std::fill(direct_.color.begin(), direct_.color.end(), 0);
     }
+    if (bits_) std::fill(direct_.color.begin(), direct_.color.end(), 0);
   }
   frame_.buffer = &direct_;
   frame_.depth_latency = memory_->fixed_latency();
@@ -217,7 +222,7 @@ void RasterTop::clear_direct() {
 
 // Chooses the least that must be computed so that the cycles are right; see set_bits().
 void RasterTop::leave_out_bits() {
-  if (!is_direct_) {
+  if (frame_.memory != nullptr) {
     frame_.planes = fast::Planes::kDepth;
     return;
   }

@@ -91,7 +91,7 @@ class RasterTop final : public sc_core::sc_module {
   bool can_begin(const spec::FrameState& state) const;
   void pass_time(Cycle drained) const;
   void begin_frame(const spec::FrameState& state, Listener* listener);
-  void clear_direct();
+  void begin_direct();
   void leave_out_bits();
   FrameResult result() const;
 

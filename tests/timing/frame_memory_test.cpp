@@ -8,6 +8,7 @@
 
 #include "model/memory/dram_timing.h"
 #include "model/memory/kinds.h"
+#include "tb/ready.h"
 #include "tests/timing/support.h"
 
 namespace pineda::test {
@@ -171,6 +172,37 @@ TEST(RasterMemory, DirectAccessAndTransportTakeTheSameCycles) {
   }
 }
 
+// Where nobody listens the memory is asked for time alone, and values are drawn tile by tile.
+TEST(RasterMemory, ListenerChangesNothing) {
+  timing::RasterTop top("top", kContract);
+  for (const memory::Kind memory : memory::kKinds) {
+    for (const memory::StallMode mode : memory::kStallModes) {
+      top.set_memory(memory::make_timing(memory, kContract, 8));
+      top.set_ready(tb::ready_of({mode, 5}));
+      for (const Kind kind : kKinds) {
+        const Scene scene = random_scene(kind, 4, 25);
+        timing::Listener listener;
+        const auto heard = top.run(scene.frame, pull_from(scene), &listener);
+        const auto buffer = top.buffer();
+        const auto alone = top.run(scene.frame, pull_from(scene));
+        ASSERT_EQ(top.buffer().depth, buffer.depth) << kind_name(kind);
+        ASSERT_EQ(top.buffer().color, buffer.color) << kind_name(kind);
+        top.set_bits(false);
+        const auto time = top.run(scene.frame, pull_from(scene));
+        top.set_bits(true);
+        for (const auto& result : {alone, time}) {
+          const auto expected = timing::counter_list(kContract, heard);
+          const auto got = timing::counter_list(kContract, result);
+          for (const auto& d : timing::counter_differences(got, expected)) {
+            EXPECT_TRUE(!result.knows_passed && d.known == core::Known::kIfTested) << d.name;
+          }
+          ASSERT_EQ(result.cycles, heard.cycles) << kind_name(kind);
+        }
+      }
+    }
+  }
+}
+
 TEST(RasterMemory, DramIsSlowerAndLeavesTheSameFrame) {
   timing::RasterTop top("top", kContract);
   const Scene scene = random_scene(Kind::kMedium, 8, 60);
@@ -224,7 +256,8 @@ TEST(RasterMemory, IsAskedInTheOrderOfCycles) {
   for (const Kind kind : kKinds) {
     for (uint64_t seed = 0; seed < 20; ++seed) {
       const Scene scene = random_scene(kind, seed, 60);
-      top.run(scene.frame, pull_from(scene));
+      timing::Listener listener;
+      top.run(scene.frame, pull_from(scene), seed % 2 == 0 ? nullptr : &listener);
       ASSERT_EQ(memory->late, 0u) << kind_name(kind) << ", seed " << seed;
     }
   }
@@ -255,11 +288,12 @@ TEST_P(RasterMemoryDesigns, HoldTheFrameOfCore) {
   ASSERT_EQ(spec::invalid_reason(design), "");
   const spec::Contract contract = spec::contract(design);
   timing::RasterTop top("top", contract);
-  for (uint64_t seed = 0; seed < 4; ++seed) {
+  for (uint64_t seed = 0; seed < 6; ++seed) {
     Scene scene = random_scene(Kind::kMedium, seed, 30, contract);
     if (!design.depth_test) scene.frame.depth = spec::DepthFunc::kOff;
     top.set_ready(seed % 2 == 0 ? timing::Ready() : kAlways);
-    top.run(scene.frame, pull_from(scene));
+    timing::Listener listener;
+    top.run(scene.frame, pull_from(scene), seed < 2 ? nullptr : &listener);
     const core::FrameBuffer expected = core_frame(scene, contract);
     EXPECT_EQ(top.buffer().depth, expected.depth);
     EXPECT_EQ(top.buffer().color, expected.color);

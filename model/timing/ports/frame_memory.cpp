@@ -1,5 +1,7 @@
 #include "model/timing/ports/frame_memory.h"
 
+#include <algorithm>
+
 #include "model/timing/ports/payload.h"
 
 namespace pineda::timing {
@@ -28,9 +30,7 @@ void FrameMemory::begin_frame(const spec::FrameState& frame) {
     if (color_socket.size() > 0) color_socket->invalidate_direct_mem_ptr(0, ~sc_dt::uint64{0});
     granted_ = false;
   }
-  timing_ = next_;
-  timing_->begin_frame(frame);
-  answer_.from = -1;
+  begin_timing(frame);
   frame_ = frame;
   begun_ = sc_core::sc_time_stamp();
   depth_.layout = {contract_, frame, memory::kDepthBytes};
@@ -41,6 +41,24 @@ void FrameMemory::begin_frame(const spec::FrameState& frame) {
   for (size_t i = 0; i < depth_.bytes.size(); ++i) {
     depth_.bytes[i] = static_cast<unsigned char>(cleared >> (8 * (i % memory::kDepthBytes)));
   }
+}
+
+void FrameMemory::begin_timing(const spec::FrameState& frame) {
+  timing_ = next_;
+  timing_->begin_frame(frame);
+  waits_ = timing_->fixed_latency() == 0;
+  answer_ = {};
+  last_response_ = -1;
+}
+
+Reply FrameMemory::ask(MemoryPort port, Cycle offered, int x, int y) {
+  const Cycle ready = ready_from(port, offered);
+  // What other ports do until then matters only where the timing is not fixed.
+  if (ready > offered && waits_) return {false, ready, 0};
+  answer_ = {};
+  const Cycle response = timing_->accept(port, ready, x, y);
+  if (port == MemoryPort::kDepthRead) last_response_ = std::max(response, last_response_ + 1);
+  return {true, ready, last_response_};
 }
 
 core::FrameBuffer FrameMemory::buffer() const {
@@ -72,11 +90,12 @@ core::FrameBuffer FrameMemory::buffer() const {
 }
 
 Cycle FrameMemory::ready_from(MemoryPort port, Cycle from) {
-  if (answer_.port == port && answer_.from == from) return answer_.cycle;
+  if (answer_.port == port && answer_.from <= from && from <= answer_.cycle) return answer_.cycle;
   Cycle cycle = from;
   for (Cycle taken = -1; cycle != taken;) {
-    taken = timing_->ready_from(port, cycle);
+    taken = waits_ ? timing_->ready_from(port, cycle) : cycle;
     cycle = first_ready(ready_, memory::stalling(port), taken);
+    if (!waits_) break;
   }
   answer_ = {port, from, cycle};
   return cycle;
@@ -89,7 +108,7 @@ MemoryPort FrameMemory::port_of(const Side& side, tlm::tlm_command command) cons
 
 Cycle FrameMemory::accept(const Side& side, const tlm::tlm_generic_payload& payload, Cycle cycle,
                           uint64_t address) {
-  answer_.from = -1;
+  answer_ = {};
   const auto stamp = static_cast<int>(address / static_cast<uint64_t>(side.layout.stamp_bytes));
   const int columns = side.layout.columns;
   const Cycle response = timing_->accept(port_of(side, payload.get_command()), cycle,

@@ -40,7 +40,7 @@ class FrameMemory final : public sc_core::sc_module {
   void set_period(const sc_core::sc_time& period) { period_ = period; }
   void set_ready(Ready ready) {
     ready_ = std::move(ready);
-    answer_.from = -1;
+    answer_ = {};
   }
   const memory::MemoryTiming& timing() const { return *timing_; }
   /// In the next frame no request waits and every read takes fixed_latency(), whatever the order.
@@ -48,6 +48,12 @@ class FrameMemory final : public sc_core::sc_module {
   Cycle fixed_latency() const { return next_->fixed_latency(); }
   /// The first cycle from `from` on in which a port takes a request.
   Cycle ready_from(memory::MemoryPort port, Cycle from);
+
+  // Time alone, for whoever keeps the bytes:
+  /// A frame of this size.
+  void begin_timing(const spec::FrameState& frame);
+  /// A request on the stamp in column x, row y, in the order that DepthMemory states.
+  Reply ask(memory::MemoryPort port, Cycle offered, int x, int y);
 
   /// Clears both for a frame of this size, whose cycle 0 is now. Gives back granted direct access.
   void begin_frame(const spec::FrameState& frame);
@@ -86,7 +92,10 @@ class FrameMemory final : public sc_core::sc_module {
   Side depth_{memory::MemoryPort::kDepthWrite, {}, {}};
   Side color_{memory::MemoryPort::kColorWrite, {}, {}};
   bool granted_ = false;
-  /// The last answer of ready_from(): a request comes right after the question about it.
+  bool waits_ = true;         // the timing is not always ready
+  Cycle last_response_ = -1;  // of ask()
+  /// The last answer of ready_from(): a request comes right after the question about it. It holds
+  /// for all cycles of it until a request is accepted.
   struct {
     memory::MemoryPort port{};
     Cycle from = -1, cycle = -1;

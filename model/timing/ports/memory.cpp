@@ -5,6 +5,8 @@ namespace pineda::timing {
 Cycle first_ready(const Ready& ready, ExternalPort port, Cycle from) {
   constexpr Cycle kPatience = Cycle{1} << 20;
   if (!ready) return from;
+  // The stalls of the benches, which are not asked about every cycle.
+  if (const auto* const moving = ready.target<memory::Moving>()) return moving->first(port, from);
   for (Cycle cycle = from; cycle < from + kPatience; ++cycle) {
     if (ready(port, cycle)) return cycle;
   }

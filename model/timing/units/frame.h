@@ -11,18 +11,23 @@
 
 namespace pineda::timing {
 
+class FrameMemory;
+
 /// The frame being drawn.
 struct Frame {
   spec::FrameState state;
   Listener* listener = nullptr;
-  // Stamps are made one by one, with all that they carry, since a listener wants them or memories
-  // are not always ready. Else values are computed by whole tiles.
+  // Stamps are made one by one, with all that they carry, since a listener or memories outside want
+  // them. Else values are computed by whole tiles.
   bool tokens = false;
-  // Where stamps are not made: what the memories hold, which are always ready and answer a read
-  // after this latency.
+  // Where stamps are not made: what the memories hold.
   fast::TiledBuffer* buffer = nullptr;
-  Cycle depth_latency = 0;
-  bool has_values = true;  // stamps are drawn as they come; else only their cycles are known
+  // If these are not always ready: what is asked when they take a stamp. The stamps of a place
+  // follow one another in the order of triangles, since each waits until the one before has been
+  // written. So values need not wait for their time.
+  FrameMemory* memory = nullptr;
+  Cycle depth_latency = 0;  // else: they answer a read after it
+  bool has_values = true;   // stamps are drawn as they come; else only their cycles are known
   core::FrameCounters counters;
   fast::StampCounts stamps;  // sent
   fast::StampsBySamples stamps_by_samples{};

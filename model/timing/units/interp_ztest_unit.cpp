@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/timing/ports/frame_memory.h"
+
 namespace pineda::timing {
 
 namespace {
@@ -37,20 +39,22 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
   tile_loads_.assign(static_cast<size_t>(d.plane_slots) - 1, -1);
   tiles_accepted_ = tiles_loaded_ = slot_ = 0;
 
+  shader_.reset();
   if (!frame->tokens) {
     const bool all = frame->planes == fast::Planes::kAll;
     shader_.emplace(contract_, frame->state,
                     all ? fast::TileShader::Values::kAll : fast::TileShader::Values::kDepth);
+  }
+  if (!asks()) {
     in_flight_.begin_frame(tiles);
     pass_cycles_ = !d.depth_test ? 1
                    : !tests_     ? 5
                                  : std::max<Cycle>(4, frame->depth_latency + 1) + 1;
     return;
   }
-  shader_.reset();
   register_ = {};
-  address_free_.assign(tiles << tile_stamps_log2_, 0);
-  pending_.assign(address_free_.size(), 0);
+  last_stamp_.assign(tiles << tile_stamps_log2_, 0);
+  last_of_tile_.assign(tiles, 0);
   accepted_count_ = retired_count_ = entered_count_ = exit_count_ = 0;
   slot_free_.assign(static_cast<size_t>(contract_.width.inflight_stamps), 0);
   exits_.assign(static_cast<size_t>(contract_.width.attribute_cycles) + 1, -1);
@@ -58,13 +62,13 @@ void InterpZtestUnit::begin_frame(Frame* frame) {
   // the register.
   stored_.reset(slot_free_.size() + 1);
   colored_.reset(exits_.size());
+  writes_.reset(slot_free_.size() + 1);
+  colors_.reset(exits_.size());
 }
 
 Cycle InterpZtestUnit::take(const StampToken& stamp, Cycle visible) {
-  return frame_->tokens ? take_token(stamp, visible) : take_direct(stamp, visible);
+  return asks() ? take_asking(stamp, visible) : take_direct(stamp, visible);
 }
-
-// ---- Memories that are always ready
 
 size_t InterpZtestUnit::tile_of(const fast::TileCover& cover) const {
   return static_cast<size_t>(cover.y) * static_cast<size_t>(tile_columns_) +
@@ -74,6 +78,14 @@ size_t InterpZtestUnit::tile_of(const fast::TileCover& cover) const {
 size_t InterpZtestUnit::address_of(const fast::TileCover& cover, int place) const {
   return (tile_of(cover) << tile_stamps_log2_) + static_cast<size_t>(place);
 }
+
+InterpZtestUnit::Place InterpZtestUnit::place_of(const fast::TileCover& cover, int place) const {
+  const spec::Design& d = contract_.design;
+  return {(cover.x << columns_log2_) + (place & ((1 << columns_log2_) - 1)),
+          (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2_)};
+}
+
+// ---- Memories that are always ready
 
 Cycle InterpZtestUnit::take_direct(const StampToken& stamp, Cycle visible) {
   const fast::TileCover& cover = *stamp.tile->cover;
@@ -100,7 +112,7 @@ Cycle InterpZtestUnit::take_direct(const StampToken& stamp, Cycle visible) {
 }
 
 bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
-  if (frame_->tokens) return false;
+  if (asks()) return false;
   const fast::TileCover& cover = *tile.cover;
   const fast::TileSamples& covered = cover.covered;
   const size_t number = tile_of(cover);
@@ -128,7 +140,7 @@ bool InterpZtestUnit::take_run(const TileToken& tile, Cycle first_visible) {
 }
 
 Cycle InterpZtestUnit::has_room() {
-  if (frame_->tokens) wait_for_planes();
+  if (asks()) wait_for_planes();
   return planes_free(slot_);
 }
 
@@ -169,13 +181,12 @@ void InterpZtestUnit::pass(Cycle retire) {
 
 // Tells hierarchical z of a stamp's depth write.
 void InterpZtestUnit::update(const fast::TileCover& cover, int place, Cycle retire) {
-  const spec::Design& d = contract_.design;
-  const int x = (cover.x << columns_log2_) + (place & ((1 << columns_log2_) - 1));
-  const int y = (cover.y << (d.tile_log2 - d.stamp_height_log2)) + (place >> columns_log2_);
-  frame_->hierarchical_z->update(retire, {x, y, greatest_depth(x, y)});
+  const Place at = place_of(cover, place);
+  frame_->hierarchical_z->update(retire, {at.x, at.y, greatest_depth(at)});
 }
 
-uint32_t InterpZtestUnit::greatest_depth(int x, int y) const {
+uint32_t InterpZtestUnit::greatest_depth(Place place) const {
+  const auto [x, y] = place;
   const auto z = frame_->buffer->read(contract_, x, y, inside(x, y)).z;
   return *std::max_element(z.begin(), z.end()) >>
          (contract_.design.depth_bits - contract_.design.hierarchical_z_bits);
@@ -183,28 +194,32 @@ uint32_t InterpZtestUnit::greatest_depth(int x, int y) const {
 
 // ---- Other memories
 
-Cycle InterpZtestUnit::take_token(const StampToken& token, Cycle visible) {
-  const spec::Stamp& stamp = *token.tile->stamp;
-  const size_t address = address_of(*token.tile->cover, token.place);
-  spec::DepthData data{};
-  if (token.is_first()) accept_tile();
+Cycle InterpZtestUnit::take_asking(const StampToken& token, Cycle visible) {
+  const fast::TileCover& cover = *token.tile->cover;
+  const size_t address = address_of(cover, token.place);
+  const Place place = place_of(cover, token.place);
+  if (token.is_first()) {
+    accept_tile();
+    __builtin_prefetch(&last_stamp_[address], 1);  // is there once the tile is drawn
+    if (!frame_->tokens) draw(*token.tile);
+  }
   time_.starve(visible);
   Cycle response = 0;
-  const Cycle accepted = accept(token, address, &data, &response);
+  const Cycle accepted = accept(token, place, address, &response);
   time_.work(1, token.id());
 
   Stored& stored = stored_.push();
-  test(stamp, data, &stored);
-  stored.address = address;
+  stored.place = place;
   stored.first = token.is_first();
   stored.data = !contract_.design.depth_test ? accepted
                 : tests_                     ? std::max(accepted + 4, response + 1)
                                              : accepted + 4;
-  pending_[address] = ++accepted_count_;
+  frame_->tokens ? test(*token.tile->stamp, &stored) : see(token, &stored);
+  last_stamp_[address] = last_of_tile_[tile_of(cover)] = ++accepted_count_;
   return accepted;
 }
 
-Cycle InterpZtestUnit::accept(const StampToken& token, size_t address, spec::DepthData* data,
+Cycle InterpZtestUnit::accept(const StampToken& token, Place place, size_t address,
                               Cycle* response) {
   if (!contract_.design.depth_test) {
     while (!stored_.empty()) step(kForever);
@@ -212,23 +227,36 @@ Cycle InterpZtestUnit::accept(const StampToken& token, size_t address, spec::Dep
     return time_.now();
   }
   if (tests_) {
-    wait_for(pending_[address]);
-    time_.spend(Cause::kHazard, address_free_[address], token.id());
+    wait_for_address(tile_of(*token.tile->cover), address, token.id());
   }
   if (accepted_count_ >= slot_free_.size()) wait_for(accepted_count_ - slot_free_.size() + 1);
   time_.spend(Cause::kBlocked, slot_free_[accepted_count_ % slot_free_.size()], token.id());
   if (!tests_) return time_.now();
-  const Cycle accepted = read(*token.tile->stamp, data, response);
+  const Cycle accepted = read(token, place, response);
   count_stall(MemoryPort::kDepthRead, accepted - time_.now());
   time_.spend(Cause::kMemory, accepted, token.id());
   return accepted;
 }
 
-Cycle InterpZtestUnit::read(const spec::Stamp& stamp, spec::DepthData* data, Cycle* response) {
-  const spec::DepthRead request{stamp.id, stamp.x, stamp.y, asked(stamp)};
+// The table has the cycles of the last stamps. Those before them are not in flight any more: the stamp
+// before this one had to wait for them. Most tiles have none of the last ones, and their stamps, which
+// would have to be fetched from far away, are not looked at.
+void InterpZtestUnit::wait_for_address(size_t tile, size_t address, uint32_t id) {
+  const uint64_t slots = slot_free_.size();
+  const auto may_be_in_flight = [&](uint64_t number) {
+    return number > 0 && number + slots > accepted_count_;
+  };
+  if (!may_be_in_flight(last_of_tile_[tile])) return;
+  const uint64_t last = last_stamp_[address];
+  if (!may_be_in_flight(last)) return;
+  wait_for(last);
+  time_.spend(Cause::kHazard, slot_free_[(last - 1) % slots], id);
+}
+
+Cycle InterpZtestUnit::read(const StampToken& token, Place place, Cycle* response) {
   for (Cycle offered = time_.now();;) {
     advance(offered);
-    const Reply reply = depth_io->read(request, offered, data);
+    const Reply reply = read(token, place, offered);
     if (reply.taken) {
       *response = reply.response;
       return reply.cycle;
@@ -237,23 +265,52 @@ Cycle InterpZtestUnit::read(const spec::Stamp& stamp, spec::DepthData* data, Cyc
   }
 }
 
-void InterpZtestUnit::test(const spec::Stamp& stamp, const spec::DepthData& data, Stored* stored) {
-  core::interpolate_depth(contract_, stamp, &fragment_);
-  stored->passed =
-      core::depth_test(contract_, frame_->state.depth, stamp.mask, fragment_.z, data.z);
-  stored->writes = stored->passed != 0 && writes_depth_;
-  if (stored->passed == 0) return;
-  ++frame_->counters.interpolated;
-  frame_->counters.passed += static_cast<uint64_t>(core::count_lanes(stored->passed));
-  // Without attributes the write keeps its address and its lanes, which its time depends on.
-  if (frame_->planes == fast::Planes::kAll) {
-    core::interpolate_attributes(contract_, stamp, stored->passed, &fragment_);
+Reply InterpZtestUnit::read(const StampToken& token, Place place, Cycle offered) {
+  if (!frame_->tokens) {
+    return frame_->memory->ask(MemoryPort::kDepthRead, offered, place.x, place.y);
   }
-  core::color_write(contract_, stamp, fragment_, stored->passed, &stored->color);
+  const spec::Stamp& stamp = *token.tile->stamp;
+  data_ = {};
+  return depth_io->read({stamp.id, stamp.x, stamp.y, asked(stamp)}, offered, &data_);
+}
+
+Reply InterpZtestUnit::write_depth(Cycle offered) {
+  if (frame_->tokens) return depth_io->write(writes_.front().depth, offered);
+  const auto [x, y] = stored_.front().place;
+  return frame_->memory->ask(MemoryPort::kDepthWrite, offered, x, y);
+}
+
+Reply InterpZtestUnit::write_color(Cycle offered) {
+  if (frame_->tokens) return color_wr_o->write(colors_.front(), offered);
+  const auto [x, y] = colored_.front().place;
+  return frame_->memory->ask(MemoryPort::kColorWrite, offered, x, y);
+}
+
+// Without tokens: what the shader found of a stamp.
+void InterpZtestUnit::see(const StampToken& token, Stored* stored) {
+  stored->passed = shader_->passed().has(token.place);
+  stored->writes = stored->passed && writes_depth_;
+  if (stored->writes && frame_->hierarchical_z != nullptr) {
+    stored->greatest = greatest_depth(stored->place);
+  }
+}
+
+void InterpZtestUnit::test(const spec::Stamp& stamp, Stored* stored) {
+  Writes& writes = writes_.push();
+  core::interpolate_depth(contract_, stamp, &fragment_);
+  const uint32_t passed =
+      core::depth_test(contract_, frame_->state.depth, stamp.mask, fragment_.z, data_.z);
+  stored->passed = passed != 0;
+  stored->writes = stored->passed && writes_depth_;
+  if (!stored->passed) return;
+  ++frame_->counters.interpolated;
+  frame_->counters.passed += static_cast<uint64_t>(core::count_lanes(passed));
+  core::interpolate_attributes(contract_, stamp, passed, &fragment_);
+  core::color_write(contract_, stamp, fragment_, passed, &writes.color);
   if (!stored->writes) return;
-  stored->depth = core::depth_write(contract_, stamp, fragment_, stored->passed);
+  writes.depth = core::depth_write(contract_, stamp, fragment_, passed);
   if (frame_->hierarchical_z != nullptr) {
-    stored->greatest = core::depth_ceiling(contract_, fragment_, stored->passed, data.z);
+    stored->greatest = core::depth_ceiling(contract_, fragment_, passed, data_.z);
   }
 }
 
@@ -274,7 +331,7 @@ uint32_t InterpZtestUnit::inside(int stamp_x, int stamp_y) const {
 }
 
 void InterpZtestUnit::advance(Cycle until) {
-  if (!frame_->tokens) return;
+  if (!asks()) return;
   while (step(until)) {
   }
 }
@@ -318,11 +375,11 @@ bool InterpZtestUnit::offer(Cycle until) {
   const Cycle color = colored_.empty() ? kForever : colored_.front().offered;
   if (std::min(write, color) >= until) return false;
   if (write <= color) {
-    const Reply reply = depth_io->write(stored_.front().depth, write);
+    const Reply reply = write_depth(write);
     count_stall(MemoryPort::kDepthWrite, reply.cycle - write);
     reply.taken ? retire(reply.cycle) : void(register_.write_offered = reply.cycle);
   } else {
-    const Reply reply = color_wr_o->write(colored_.front().color, color);
+    const Reply reply = write_color(color);
     count_stall(MemoryPort::kColorWrite, reply.cycle - color);
     reply.taken ? exit(reply.cycle) : void(colored_.front().offered = reply.cycle);
   }
@@ -341,7 +398,7 @@ bool InterpZtestUnit::turn() {
     if (stored.first) {
       tile_loads_[tiles_loaded_++ % tile_loads_.size()] = r.offered - 1;
     }
-    r.entered = stored.passed == 0;
+    r.entered = !stored.passed;
     if (!stored.writes) retire(r.offered);
     return true;
   }
@@ -350,16 +407,18 @@ bool InterpZtestUnit::turn() {
     r.enter = std::max(r.offered, exits_[entered_count_++ % exits_.size()] + 1);
     Colored& colored = colored_.push();
     colored.offered = std::max(r.enter + latency, exit_ + 1);
-    colored.color = stored.color;
+    colored.place = stored.place;
+    if (frame_->tokens) colors_.push() = writes_.front().color;
     r.entered = true;
     return true;
   }
   // Without a pipe the colours stay in the register until they are written.
   const bool left = r.entered && (latency > 0 || colored_.empty());
   if (!r.written || !left) return false;
-  write_free_ = std::max(r.retire, latency > 0 || stored.passed == 0 ? r.enter : exit_);
+  write_free_ = std::max(r.retire, latency > 0 || !stored.passed ? r.enter : exit_);
   r.loaded = false;
   stored_.pop();
+  if (frame_->tokens) writes_.pop();
   return true;
 }
 
@@ -367,19 +426,19 @@ void InterpZtestUnit::retire(Cycle cycle) {
   const Stored& stored = stored_.front();
   register_.written = true;
   register_.retire = cycle;
-  address_free_[stored.address] = cycle + 1;
   slot_free_[retired_count_++ % slot_free_.size()] = cycle + 1;
   if (!stored.writes) return;
   retired_ = cycle;
-  if (frame_->listener != nullptr) frame_->listener->depth(cycle, stored.depth);
+  if (frame_->listener != nullptr) frame_->listener->depth(cycle, writes_.front().depth);
   if (frame_->hierarchical_z != nullptr) {
-    frame_->hierarchical_z->update(cycle, {stored.depth.x, stored.depth.y, stored.greatest});
+    frame_->hierarchical_z->update(cycle, {stored.place.x, stored.place.y, stored.greatest});
   }
 }
 
 void InterpZtestUnit::exit(Cycle cycle) {
   exit_ = exits_[exit_count_++ % exits_.size()] = cycle;
-  if (frame_->listener != nullptr) frame_->listener->color(cycle, colored_.front().color);
+  if (frame_->listener != nullptr) frame_->listener->color(cycle, colors_.front());
+  if (frame_->tokens) colors_.pop();
   colored_.pop();
   if (!colored_.empty()) colored_.front().offered = std::max(colored_.front().offered, cycle + 1);
 }

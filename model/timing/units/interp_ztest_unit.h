@@ -94,20 +94,27 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   UnitCycles cycles(Cycle drained) const;
 
  private:
+  // A stamp's column and row.
+  struct Place {
+    int x, y;
+  };
   // A stamp whose depths have been read, until it leaves the write register.
   struct Stored {
-    size_t address;
+    Place place;
     Cycle data;   // the first cycle in which it can be loaded, as far as its depths are concerned
     bool first;   // of its tile
+    bool passed;  // it has colours
     bool writes;  // it has a depth write
-    uint32_t passed;
     uint32_t greatest;  // depth after its write, for hierarchical z
-    spec::DepthWrite depth;
-    spec::ColorWrite color;
   };
   // The colours of a stamp, in the pipe or behind it, and when they are offered.
   struct Colored {
     Cycle offered;
+    Place place;
+  };
+  // What a stamp writes, if Frame::tokens.
+  struct Writes {
+    spec::DepthWrite depth;
     spec::ColorWrite color;
   };
   // The write register, which holds the first stamp of stored_.
@@ -123,21 +130,29 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
 
   void end_of_elaboration() override;
 
-  // Memories that are always ready
   size_t tile_of(const fast::TileCover& cover) const;
   size_t address_of(const fast::TileCover& cover, int place) const;
+  Place place_of(const fast::TileCover& cover, int place) const;
   void draw(const TileToken& tile);
+  bool asks() const { return frame_->tokens || frame_->memory != nullptr; }
+
+  // Memories that are always ready
   Cycle take_direct(const StampToken& stamp, Cycle visible);
   void pass_run(const fast::TileCover& cover, Cycle retire);
   void pass(Cycle retire);
   void update(const fast::TileCover& cover, int place, Cycle retire);
-  uint32_t greatest_depth(int x, int y) const;  // stored in a stamp, the top bits
+  uint32_t greatest_depth(Place place) const;  // stored in a stamp, the top bits
 
   // Other memories
-  Cycle take_token(const StampToken& token, Cycle visible);
-  Cycle accept(const StampToken& token, size_t address, spec::DepthData* data, Cycle* response);
-  Cycle read(const spec::Stamp& stamp, spec::DepthData* data, Cycle* response);
-  void test(const spec::Stamp& stamp, const spec::DepthData& data, Stored* stored);
+  Cycle take_asking(const StampToken& token, Cycle visible);
+  Cycle accept(const StampToken& token, Place place, size_t address, Cycle* response);
+  Cycle read(const StampToken& token, Place place, Cycle* response);
+  Reply read(const StampToken& token, Place place, Cycle offered);
+  Reply write_depth(Cycle offered);
+  Reply write_color(Cycle offered);
+  void wait_for_address(size_t tile, size_t address, uint32_t id);
+  void see(const StampToken& token, Stored* stored);
+  void test(const spec::Stamp& stamp, Stored* stored);
   // The lanes whose depths are read: the covered ones, with hierarchical z all inside the frame.
   uint32_t asked(const spec::Stamp& stamp) const;
   uint32_t inside(int stamp_x, int stamp_y) const;
@@ -174,8 +189,10 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   Ring<Stored> stored_;
   Register register_;
   Ring<Colored> colored_;
-  std::vector<Cycle> address_free_;  // by address: not in flight from this cycle on
-  std::vector<uint64_t> pending_;    // by address: the number of the last stamp there, from 1
+  Ring<Writes> writes_;            // of stored_
+  Ring<spec::ColorWrite> colors_;  // of colored_
+  // By address and by tile: the number of the last stamp there, from 1.
+  std::vector<uint64_t> last_stamp_, last_of_tile_;
   uint64_t accepted_count_ = 0;
   uint64_t retired_count_ = 0;
   uint64_t entered_count_ = 0;
@@ -187,6 +204,7 @@ class InterpZtestUnit final : public sc_core::sc_module, public StampIn {
   uint64_t tiles_accepted_ = 0;
   uint64_t tiles_loaded_ = 0;
   std::vector<Cycle> exits_;  // of the last L + 1 colour writes
+  spec::DepthData data_;
   spec::Fragment fragment_;
 };
 
