@@ -35,7 +35,10 @@ struct PinedaBench {
     uint64_t cycle = 0;
     uint32_t words[(package::LANES * package::DEPTH_BITS + 31) / 32 + 1];
   };
+  template <class Outside>
+  uint64_t draw(Outside outside);
   void start(const PinedaBenchFrame& frame);
+  void ready(uint32_t moving);
   void clear_depth();
   void read(uint64_t due, Response* response);
   void write_depth();
@@ -75,15 +78,26 @@ void set(VlWide<Words>* port, const uint32_t* words) {
   std::copy_n(words, Words, port->m_storage);
 }
 
-/// Calls visit(lane, sample) for each lane of the stamp whose address and mask lie above
-/// `payload_bits` of a port.
+constexpr int kColorPayloadBits =
+    (package::FLAT_ATTRIBUTES + package::LANES * package::ATTRIBUTES) * package::ATTR_BITS;
+
+/// The address of the stamp that lies above `payload_bits` of a port and the mask.
+template <class Port>
+uint64_t stamp_x(const Port& port, int payload_bits) {
+  return get(port, payload_bits + package::LANES + package::STAMP_Y_BITS, package::STAMP_X_BITS);
+}
+template <class Port>
+uint64_t stamp_y(const Port& port, int payload_bits) {
+  return get(port, payload_bits + package::LANES, package::STAMP_Y_BITS);
+}
+
+/// Calls visit(lane, sample) for each lane of that stamp.
 template <class Port, class Visit>
 void for_each_lane(const Port& port, int payload_bits, int width, Visit visit) {
   using namespace package;
   const uint64_t mask = get(port, payload_bits, LANES);
-  const uint64_t y = get(port, payload_bits + LANES, STAMP_Y_BITS) << STAMP_HEIGHT_LOG2;
-  const uint64_t x = get(port, payload_bits + LANES + STAMP_Y_BITS, STAMP_X_BITS)
-                     << STAMP_WIDTH_LOG2;
+  const uint64_t y = stamp_y(port, payload_bits) << STAMP_HEIGHT_LOG2;
+  const uint64_t x = stamp_x(port, payload_bits) << STAMP_WIDTH_LOG2;
   const uint64_t first = y * static_cast<uint64_t>(width) + x;
   for (int lane = 0; lane < LANES; ++lane) {
     if ((mask >> lane & 1) == 0) continue;
@@ -92,15 +106,34 @@ void for_each_lane(const Port& port, int payload_bits, int width, Visit visit) {
   }
 }
 
+/// Nobody stalls: the compiler leaves all that is about stalls out of the loop.
+struct AlwaysReady {
+  static constexpr bool kStalls = false;
+  uint64_t latency;
+
+  static constexpr uint32_t moving(uint64_t) { return ~uint32_t{0}; }
+  template <class Port>
+  uint64_t accept(uint32_t, uint64_t cycle, const Port&, int) const {
+    return cycle + latency;
+  }
+};
+
+struct Stalling {
+  static constexpr bool kStalls = true;
+  const PinedaBenchOutside& outside;
+
+  uint32_t moving(uint64_t cycle) const { return outside.moving(outside.self, cycle); }
+  template <class Port>
+  uint64_t accept(uint32_t who, uint64_t cycle, const Port& port, int payload_bits) const {
+    return outside.accept(outside.self, who, cycle,
+                          static_cast<uint32_t>(stamp_x(port, payload_bits)),
+                          static_cast<uint32_t>(stamp_y(port, payload_bits)));
+  }
+};
+
 }  // namespace
 
 PinedaBench::PinedaBench() : top_(std::make_unique<Vraster_top>(&context_)) {
-  top_->clear_ready_i = 1;
-  top_->color_wr_ready_i = 1;
-#ifdef PINEDA_DEPTH
-  top_->depth_rd_ready_i = 1;
-  top_->depth_wr_ready_i = 1;
-#endif
   top_->rst_ni = 0;
   top_->eval();
   edge();
@@ -133,18 +166,40 @@ void PinedaBench::start(const PinedaBenchFrame& frame) {
   top_->frame_valid_i = 1;
 }
 
+// The ports on which the top waits for the outside.
+void PinedaBench::ready(uint32_t moving) {
+  top_->clear_ready_i = (moving & kPinedaBenchClear) != 0;
+  top_->color_wr_ready_i = (moving & kPinedaBenchColorWrite) != 0;
+#ifdef PINEDA_DEPTH
+  top_->depth_rd_ready_i = (moving & kPinedaBenchDepthRead) != 0;
+  top_->depth_wr_ready_i = (moving & kPinedaBenchDepthWrite) != 0;
+#endif
+}
+
 uint64_t PinedaBench::run(const PinedaBenchFrame& frame) {
-  constexpr size_t kTriangleWords = (package::TRIANGLE_BITS + 31) / 32;
   start(frame);
-  const uint32_t* triangle = frame.triangles;
-  const uint32_t* const end = triangle + frame.count * kTriangleWords;
+  if (frame.outside != nullptr) return draw(Stalling{*frame.outside});
+  return draw(AlwaysReady{static_cast<uint64_t>(frame.depth_latency_cycles)});
+}
+
+template <class Outside>
+uint64_t PinedaBench::draw(Outside outside) {
+  constexpr size_t kTriangleWords = (package::TRIANGLE_BITS + 31) / 32;
+  const uint32_t* triangle = frame_.triangles;
+  const uint32_t* const end = triangle + frame_.count * kTriangleWords;
+  bool offered = false;            // the triangle, or the end
   size_t asked = 0, answered = 0;  // reads
   uint64_t last_write = 0;         // the cycle after the last write; the clear counts as one
   uint64_t last_event = 0;
+  ready(~uint32_t{0});
   for (uint64_t cycle = 0;; ++cycle) {
+    const uint32_t moving = outside.moving(cycle);
+    const auto moves = [moving](uint32_t port) { return (moving & port) != 0; };
+    if (Outside::kStalls) ready(moving);
     // A triangle is offered from the cycle on in which the one before it is gone.
-    top_->tri_valid_i = triangle != end;
-    top_->end_valid_i = triangle == end;
+    offered |= moves(triangle != end ? kPinedaBenchTriangle : kPinedaBenchEnd);
+    top_->tri_valid_i = offered && triangle != end;
+    top_->end_valid_i = offered && triangle == end;
     if (triangle != end) set(&top_->tri_i, triangle);
 #ifdef PINEDA_DEPTH
     const Response& response = due_[answered % due_.size()];
@@ -154,20 +209,24 @@ uint64_t PinedaBench::run(const PinedaBenchFrame& frame) {
 #endif
     top_->eval();
 
-    bool written = top_->clear_valid_o != 0;
+    bool written = top_->clear_valid_o != 0 && moves(kPinedaBenchClear);
 #ifdef PINEDA_DEPTH
     if (written) clear_depth();
     if (due && top_->depth_rsp_ready_o != 0) ++answered;
     // A read sees the writes accepted before its cycle.
-    if (top_->depth_rd_valid_o != 0)
-      read(cycle + static_cast<uint64_t>(frame_.depth_latency_cycles),
+    if (top_->depth_rd_valid_o != 0 && moves(kPinedaBenchDepthRead)) {
+      read(outside.accept(kPinedaBenchDepthRead, cycle, top_->depth_rd_o, 0),
            &due_[asked++ % due_.size()]);
-    if (top_->depth_wr_valid_o != 0) {
+    }
+    if (top_->depth_wr_valid_o != 0 && moves(kPinedaBenchDepthWrite)) {
+      outside.accept(kPinedaBenchDepthWrite, cycle, top_->depth_wr_o,
+                     package::LANES * package::DEPTH_BITS);
       write_depth();
       written = true;
     }
 #endif
-    if (top_->color_wr_valid_o != 0) {
+    if (top_->color_wr_valid_o != 0 && moves(kPinedaBenchColorWrite)) {
+      outside.accept(kPinedaBenchColorWrite, cycle, top_->color_wr_o, kColorPayloadBits);
       write_color();
       written = true;
     }
@@ -179,6 +238,7 @@ uint64_t PinedaBench::run(const PinedaBenchFrame& frame) {
     if (frame_taken) top_->frame_valid_i = 0;
     if (taken) {
       triangle += kTriangleWords;
+      offered = false;
       last_event = cycle;
     }
     if (ended) break;
@@ -216,8 +276,7 @@ void PinedaBench::write_color() {
   using namespace package;
   const auto& port = top_->color_wr_o;
   constexpr int kFlatBits = FLAT_ATTRIBUTES * ATTR_BITS;
-  constexpr int kPayloadBits = kFlatBits + LANES * ATTRIBUTES * ATTR_BITS;
-  for_each_lane(port, kPayloadBits, frame_.width, [&](int lane, uint64_t sample) {
+  for_each_lane(port, kColorPayloadBits, frame_.width, [&](int lane, uint64_t sample) {
     uint16_t* to = frame_.color + sample * kChannels;
     for (int a = 0; a < ATTRIBUTES; ++a) {
       const int position = kFlatBits + (lane * ATTRIBUTES + a) * ATTR_BITS;

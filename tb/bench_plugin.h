@@ -1,5 +1,5 @@
-/* The C face of a design's RTL as fast as it can be simulated: the top alone, with ideal memories
-   in the same translation unit. It answers how fast and in how many cycles, nothing else; what the
+/* The C face of a design's RTL as fast as it can be simulated: the top alone, with memories in the
+   same translation unit. It answers how fast and in how many cycles, nothing else; what the
    RTL does is looked at through plugin.h. */
 #ifndef PINEDA_TB_BENCH_PLUGIN_H
 #define PINEDA_TB_BENCH_PLUGIN_H
@@ -10,7 +10,27 @@
 extern "C" {
 #endif
 
-enum { kPinedaBenchAbi = 1 };
+enum { kPinedaBenchAbi = 2 };
+
+/* Ports that can stall, a bit each. */
+enum {
+  kPinedaBenchTriangle = 1 << 1,
+  kPinedaBenchEnd = 1 << 2,
+  kPinedaBenchClear = 1 << 4,
+  kPinedaBenchDepthRead = 1 << 5,
+  kPinedaBenchDepthWrite = 1 << 6,
+  kPinedaBenchColorWrite = 1 << 7
+};
+
+/* Who may keep the top waiting. Cycles are those of the frame. */
+typedef struct {
+  void* self;
+  /* The ports whose other side moves in this cycle; asked once in each. */
+  uint32_t (*moving)(void* self, uint64_t cycle);
+  /* A memory port takes a request on the stamp in column x, row y. A read is answered in the cycle
+     that is returned. Within a cycle depth reads come first, then depth writes. */
+  uint64_t (*accept)(void* self, uint32_t port, uint64_t cycle, uint32_t x, uint32_t y);
+} PinedaBenchOutside;
 
 /* A frame to draw. Packed structs lie as in model/spec/pack.h. */
 typedef struct {
@@ -19,6 +39,7 @@ typedef struct {
   uint64_t count;            /* of triangles */
   int32_t width;             /* px */
   int32_t height;
+  const PinedaBenchOutside* outside; /* NULL: all ports move, reads take depth_latency_cycles */
   int32_t depth_latency_cycles;
   /* Memories, row-major; cleared by run(). */
   uint32_t* depth; /* a code a sample */

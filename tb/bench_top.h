@@ -2,22 +2,25 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "model/core/frame.h"
 #include "model/timing/counted/cycles.h"
 #include "tb/bench_plugin.h"
+#include "tb/frame_bench.h"
 
 namespace pineda::tb {
 
 /// The compilers that can build a bench plug-in here: of g++ and clang++ those on the path.
 std::vector<std::string> bench_compilers();
 
-/// The top alone of one design, with ideal memories and without stalls.
+/// The top alone of one design, between the memories and the stalls of a FrameBench. Where the
+/// memories are ideal and nobody stalls, nothing is asked of either while it runs.
 ///
-/// In       load(): a frame, its triangles, the latency of the depth memory; nothing of them is
-///          packed any more when run() starts.
+/// In       load(): a frame, its triangles, memory and stalls; nothing of them is packed any more
+///          when run() starts.
 /// Out      the cycles, which are those of FrameBench; buffer().
 /// Errors   PluginError: the plug-in cannot be had; RtlError: a latency out of range, a deadlock.
 class BenchTop {
@@ -32,7 +35,7 @@ class BenchTop {
   std::string compiler() const { return plugin_->compiler; }
 
   void load(const spec::FrameState& frame, const std::vector<spec::Triangle>& triangles,
-            int depth_latency_cycles);
+            const BenchOptions& options);
   /// Draws what was loaded, as often as wanted; from the first clock edge to the last write.
   timing::Cycle run();
 
@@ -44,9 +47,11 @@ class BenchTop {
   void* handle_ = nullptr;
   const PinedaBenchPlugin* plugin_ = nullptr;
   PinedaBench* bench_ = nullptr;
+  spec::FrameState frame_;
   std::vector<uint32_t> state_, triangles_;  // packed
   uint64_t count_ = 0;                       // of triangles
-  int depth_latency_cycles_ = 1;
+  class Outside;
+  std::unique_ptr<Outside> outside_;
   core::FrameBuffer buffer_;
 };
 

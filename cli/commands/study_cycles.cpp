@@ -185,8 +185,7 @@ int run(const CyclesOptions& given) {
     output.line("Left out: {}, {} is not there", name, options.bunny);
   if (options.runs > 0) {
     output.line(
-        "Speed in M cycles/s of one thread, the median of {} runs in CPU time; the RTL bare, "
-        "without stalls alone",
+        "Speed in M cycles/s of one thread, the median of {} runs in CPU time; the RTL bare",
         options.runs);
   }
   print_means(output, means);

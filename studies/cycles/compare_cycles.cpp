@@ -75,14 +75,10 @@ struct Rtl {
 
   Rtl(const spec::Contract& contract, const CycleOptions& options)
       : library(contract, options.say) {
-    if (!measures(options)) return;
+    if (options.runs == 0) return;
     for (const std::string& compiler : options.compilers) {
       bare.push_back(std::make_unique<tb::BenchTop>(contract, compiler, options.say));
     }
-  }
-  static bool measures(const CycleOptions& options) {
-    return options.runs > 0 && options.stall_mode == tb::StallMode::kNone &&
-           options.memory == memory::Kind::kIdeal;
   }
 };
 
@@ -102,23 +98,27 @@ class Comparison {
 
   CyclePoint run() {
     compare();
-    if (Rtl::measures(options_)) measure();
+    if (options_.runs > 0) measure();
     return point_;
   }
 
  private:
-  /// Called once for the model and once for the RTL: each has its own memory.
+  /// Called for the model and for each RTL: each has its own memory.
   std::shared_ptr<memory::MemoryTiming> timing() const {
     return memory::make_timing(options_.memory, rtl_.library.contract(),
                                options_.depth_latency_cycles);
   }
 
-  void compare() {
+  tb::BenchOptions bench_options() const {
     tb::BenchOptions bench_options;
     bench_options.memory = timing();
     bench_options.stall_mode = options_.stall_mode;
     bench_options.seed = options_.seed;
-    tb::FrameBench bench(rtl_.library, bench_options);
+    return bench_options;
+  }
+
+  void compare() {
+    tb::FrameBench bench(rtl_.library, bench_options());
     Retirement rtl;
     const timing::FrameResult of_rtl = bench.run(frame_, pull_from(triangles_), &rtl);
     Retirement model;
@@ -144,9 +144,7 @@ class Comparison {
   }
 
   void measure() {
-    for (const auto& top : rtl_.bare) {
-      top->load(frame_, triangles_, options_.depth_latency_cycles);
-    }
+    for (const auto& top : rtl_.bare) top->load(frame_, triangles_, bench_options());
     std::vector<double> time, bits;
     std::vector<std::vector<double>> rtl(rtl_.bare.size());
     for (int i = 0; i < options_.runs; ++i) {

@@ -72,8 +72,8 @@ struct CyclePoint {
 };
 
 /// Compares cycles and counters; the RTL runs as the ordinary plug-in with a listener. Speed is
-/// measured only without stalls and on an ideal memory, on bench plug-ins (tb/bench_top.h), with
-/// model and RTL taking turns. The frames are drawn in a child process.
+/// measured on bench plug-ins (tb/bench_top.h) with the same memory and stalls, with model and RTL
+/// taking turns. The frames are drawn in a child process.
 ///
 /// Errors   tb::PluginError: the RTL cannot be found or built. tb::RtlError: the bare RTL's cycles
 ///          or frame differ from the ordinary RTL's, or one of the two broke its own rules.

@@ -88,6 +88,46 @@ TEST(StudyCycles, MeasuresBothSidesInOneRun) {
   EXPECT_NEAR(json.at("geometric_means").at("ratio_time"), time / rtl, 1e-9);
 }
 
+// The bare RTL has the same memory and the same stalls.
+TEST(StudyCycles, MeasuresWhereMemoriesAndPortsStall) {
+  setenv("PINEDA_CACHE", PINEDA_BENCH_CACHE, 1);
+  const Json json =
+      figures({"study", "cycles", "--scene", "grid", "--size", "64x48", "--runs", "1", "--compiler",
+               "g++", "--memory", "ideal,dram,dram_merged", "--stall", "none,source,sink,both"});
+  EXPECT_EQ(json.at("holds"), true);
+  ASSERT_EQ(json.at("rows").size(), 12u);
+  std::set<int64_t> cycles;
+  for (const Json& row : json.at("rows")) {
+    cycles.insert(row.at("rtl_cycles").get<int64_t>());
+    const Json& speed = row.at("speed");
+    for (const char* side : {"rtl", "time", "bits"}) EXPECT_GT(speed.at(side), 0) << row;
+    EXPECT_DOUBLE_EQ(row.at("ratio").at("bits"),
+                     speed.at("bits").get<double>() / speed.at("rtl").get<double>());
+  }
+  EXPECT_EQ(cycles.size(), 6u);  // of each memory, with and without stalls of the sink
+}
+
+// A program whose bare RTL has a memory that answers a cycle late: its speed would be that of
+// another frame.
+TEST(StudyCycles, BareRtlThatTakesOtherCyclesIsRefused) {
+  setenv("PINEDA_CACHE", PINEDA_BENCH_CACHE, 1);
+  Surroundings with_fault;
+  with_fault.program = std::string(PINEDA_MUTANTS) + "bare";
+  const auto study = [&](const char* memory, const char* stall) {
+    return pineda({"study", "cycles", "--scene", "grid", "--size", "64x48", "--runs", "1",
+                   "--compiler", "g++", "--memory", memory, "--stall", stall},
+                  with_fault);
+  };
+  const std::pair<const char*, const char*> asked[] = {
+      {"ideal", "sink"}, {"dram", "sink"}, {"dram", "none"}};
+  for (const auto& [memory, stall] : asked) {
+    const Outcome run = study(memory, stall);
+    EXPECT_EQ(run.exit_code, 1) << memory << ", " << stall;
+    EXPECT_NE(run.err.find("the bare RTL takes"), std::string::npos) << run.err;
+  }
+  EXPECT_EQ(study("ideal", "none").exit_code, 0);  // the memory is not asked there
+}
+
 TEST(StudyCycles, BunnyThatIsNotThereIsLeftOutUnlessItIsAskedFor) {
   const Json json =
       figures({"study", "cycles", "--bunny", "nowhere.obj", "--size", "16x16", "--runs", "0"});

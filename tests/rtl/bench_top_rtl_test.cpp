@@ -2,6 +2,7 @@
 // its speed is measured on the same work.
 #include <cstdlib>
 
+#include "model/memory/kinds.h"
 #include "tb/bench_top.h"
 #include "tests/rtl/support.h"
 
@@ -20,17 +21,21 @@ struct Drawn {
   core::FrameBuffer buffer;
 };
 
+BenchOptions with_latency(int cycles) {
+  BenchOptions options;
+  options.depth_latency_cycles = cycles;
+  return options;
+}
+
 Drawn draw_bare(const spec::FrameState& frame, const std::vector<spec::Triangle>& triangles,
-                int latency_cycles) {
-  bare().load(frame, triangles, latency_cycles);
+                const BenchOptions& options) {
+  bare().load(frame, triangles, options);
   const Cycle cycles = bare().run();
   return {cycles, bare().buffer()};
 }
 
 Drawn draw(const spec::FrameState& frame, const std::vector<spec::Triangle>& triangles,
-           int latency_cycles) {
-  BenchOptions options;
-  options.depth_latency_cycles = latency_cycles;
+           const BenchOptions& options) {
   FrameBench bench(rtl(), options);
   const Cycle cycles = bench.run(frame, from(triangles), nullptr).cycles;
   return {cycles, bench.buffer()};
@@ -53,9 +58,34 @@ TEST(BenchTop, TakesTheCyclesOfTheBenchAndLeavesItsFrame) {
       const auto frame = random_raster_state(&random, width, height, rtl().contract());
       const int size_px = random.between(1, 60);
       const auto triangles = random_triangles(&random, frame, size_px, 200);
-      EXPECT_TRUE(
-          same(draw_bare(frame, triangles, latency_cycles), draw(frame, triangles, latency_cycles)))
+      const BenchOptions options = with_latency(latency_cycles);
+      EXPECT_TRUE(same(draw_bare(frame, triangles, options), draw(frame, triangles, options)))
           << latency_cycles << ", frame " << i;
+    }
+  }
+}
+
+// Each with a memory of its own. Always ready again afterwards.
+TEST(BenchTop, TakesTheCyclesOfTheBenchOnAnyMemoryUnderAnyStall) {
+  spec::Random random(609);
+  for (const memory::Kind kind : memory::kKinds) {
+    for (const StallMode mode : kStallModes) {
+      const auto frame = random_raster_state(&random, random.between(1, 90), random.between(1, 90),
+                                             rtl().contract());
+      const auto triangles = random_triangles(&random, frame, random.between(1, 60), 200);
+      const auto options = [&] {
+        BenchOptions made;
+        made.memory = memory::make_timing(kind, rtl().contract(), 8);
+        made.stall_mode = mode;
+        made.seed = 3;
+        return made;
+      };
+      const Drawn expected = draw(frame, triangles, options());
+      EXPECT_TRUE(same(draw_bare(frame, triangles, options()), expected))
+          << spec::name_of(kind) << ", " << stall_mode_name(mode);
+      EXPECT_EQ(bare().run(), expected.cycles) << "another frame";
+      EXPECT_TRUE(same(draw_bare(frame, triangles, with_latency(8)),
+                       draw(frame, triangles, with_latency(8))));
     }
   }
 }
@@ -64,10 +94,10 @@ TEST(BenchTop, RepeatsItselfAndDrawsEmptyFrames) {
   spec::Random random(607);
   const auto frame = random_state(&random, 40, 30);
   const auto triangles = random_triangles(&random, frame, 20, 100);
-  const Drawn first = draw_bare(frame, triangles, 8);
+  const Drawn first = draw_bare(frame, triangles, with_latency(8));
   EXPECT_EQ(bare().run(), first.cycles);
   EXPECT_EQ(bare().buffer().depth, first.buffer.depth);
-  EXPECT_TRUE(same(draw_bare(frame, {}, 8), draw(frame, {}, 8)));
+  EXPECT_TRUE(same(draw_bare(frame, {}, with_latency(8)), draw(frame, {}, with_latency(8))));
 }
 
 // The comparison sees a memory that answers a cycle late, and a triangle that is missing.
@@ -76,15 +106,22 @@ TEST(BenchTop, ComparisonFindsFaults) {
   auto frame = random_state(&random, 60, 60);
   frame.depth = spec::DepthFunc::kLess;
   auto triangles = random_triangles(&random, frame, 30, 100);
-  const Drawn expected = draw(frame, triangles, 8);
-  EXPECT_NE(draw_bare(frame, triangles, 9).cycles, expected.cycles);
+  const Drawn expected = draw(frame, triangles, with_latency(8));
+  EXPECT_NE(draw_bare(frame, triangles, with_latency(9)).cycles, expected.cycles);
+  BenchOptions stalled = with_latency(8);
+  for (const StallMode mode : {StallMode::kSource, StallMode::kSink}) {
+    stalled.stall_mode = mode;
+    const Cycle cycles = draw(frame, triangles, stalled).cycles;
+    ++stalled.seed;
+    EXPECT_NE(draw_bare(frame, triangles, stalled).cycles, cycles) << "another stall";
+  }
   triangles.resize(50);
-  EXPECT_NE(draw_bare(frame, triangles, 8).buffer.color, expected.buffer.color);
+  EXPECT_NE(draw_bare(frame, triangles, with_latency(8)).buffer.color, expected.buffer.color);
 }
 
 TEST(BenchTop, ForeignLatencyIsRefused) {
-  EXPECT_THROW(bare().load(spec::FrameState{8, 8}, {}, 0), RtlError);
-  EXPECT_THROW(bare().load(spec::FrameState{8, 8}, {}, 1025), RtlError);
+  EXPECT_THROW(bare().load(spec::FrameState{8, 8}, {}, with_latency(0)), RtlError);
+  EXPECT_THROW(bare().load(spec::FrameState{8, 8}, {}, with_latency(1025)), RtlError);
 }
 
 }  // namespace
