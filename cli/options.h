@@ -96,6 +96,7 @@ void add_area_study(CLI::App* study, int* exit_code);
 void add_netlist_study(CLI::App* study, int* exit_code);
 void add_parameters_study(CLI::App* study, int* exit_code);
 void add_cycles_study(CLI::App* study, int* exit_code);
+void add_run_study(CLI::App* study, int* exit_code);
 void add_error(CLI::App* program, int* exit_code);
 void add_designs(CLI::App* program, int* exit_code);
 void add_scenes(CLI::App* program, int* exit_code);

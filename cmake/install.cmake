@@ -39,6 +39,7 @@ if(PINEDA_RTL)
   install(FILES ${plugin_sources} DESTINATION ${data}/tb)
   install(DIRECTORY model/spec DESTINATION ${data}/model FILES_MATCHING PATTERN "*.h")
   install(DIRECTORY studies/area/technologies DESTINATION ${data}/studies/area)
+  install(DIRECTORY studies/run/page DESTINATION ${data}/studies/run)
   install(DIRECTORY studies/netlist studies/score DESTINATION ${data}/studies
           FILES_MATCHING PATTERN "*.sv" PATTERN "*.v")
   install(DIRECTORY vectors/setup vectors/traversal vectors/interp_ztest vectors/frame vectors/mutants

@@ -213,6 +213,7 @@ void add_study(CLI::App* program, int* exit_code) {
   add_netlist_study(study, exit_code);
   add_parameters_study(study, exit_code);
   add_cycles_study(study, exit_code);
+  add_run_study(study, exit_code);
 
   auto point_options = std::make_shared<StudyOptions>();
   point_options->seed = 1;
