@@ -22,7 +22,9 @@ kill_steps() {
   return 0
 }
 finish() {
-  for daemon in "${daemons[@]}"; do kill -KILL "$daemon" 2>/dev/null || true; done
+  for daemon in "${daemons[@]}"; do
+    { kill -KILL "$daemon" && wait "$daemon"; } 2>/dev/null || true
+  done
   kill_steps
   rm -rf "$folder"
 }
@@ -53,7 +55,7 @@ SlurmctldHost=$host(127.0.0.1)
 SlurmUser=root
 SlurmdUser=root
 AuthType=auth/munge
-AuthInfo=socket=$folder/munge.socket
+AuthInfo=socket=$folder/munge.socket,cred_expire=5
 SlurmctldPort=$(free_port)
 StateSaveLocation=$folder/state
 SlurmctldPidFile=$folder/slurmctld.pid
@@ -103,7 +105,7 @@ for _ in {1..200}; do
   sleep .1
 done
 [[ $tasks -gt 0 ]] || fail "expected a task on the second node"
-kill -KILL "$second"
+{ kill -KILL "$second" && wait "$second"; } 2>/dev/null || true
 kill_steps
 scontrol update nodename=n2 state=down reason=dead
 wait "$run" || fail "the study on Slurm ended with $?"

@@ -186,6 +186,12 @@
     pinned = design;
     draw();
   }
+  function addKey(key, name, i) {
+    var one = key.append('span').attr('class', 'keyed');
+    one.append('span').attr('class', 'key').style('background', colors[i % colors.length]);
+    one.append('span').text(name);
+    key.append('span').text(' ');
+  }
   function bars(side, title, rows) {
     if (rows.length === 0) return;
     side.append('h4').text(title);
@@ -204,10 +210,7 @@
       });
     });
     var key = side.append('div').attr('class', 'note');
-    keys.forEach(function (name, i) {
-      key.append('span').attr('class', 'key').style('background', colors[i % colors.length]);
-      key.append('span').text(name);
-    });
+    keys.forEach(function (name, i) { addKey(key, name, i); });
   }
   function drawSide() {
     var side = d3.select('#side');
@@ -279,10 +282,7 @@
     });
     var key = d3.select('#sizes-key');
     key.selectAll('*').remove();
-    stamps.forEach(function (stamp, i) {
-      key.append('span').attr('class', 'key').style('background', colors[i % colors.length]);
-      key.append('span').text(stamp + ' px stamps');
-    });
+    stamps.forEach(function (stamp, i) { addKey(key, stamp + ' px stamps', i); });
   }
 
   // ---- The table
