@@ -68,9 +68,10 @@ class Reader {
       throw StudyFileError(fmt::format("{}:{}: expected TOML: {}", path_, error.source().begin.line,
                                        error.description()));
     }
-    know(table_, {"name", "scenes", "scene", "designs", "design", "memories", "memory", "technologies",
-                  "technology", "measures", "clock_ps"});
-    study_.name = table_.contains("name") ? text(*table_.get("name"), "name") : fs::path(path_).stem().string();
+    know(table_, {"name", "scenes", "scene", "designs", "design", "memories", "memory",
+                  "technologies", "technology", "measures", "clock_ps"});
+    study_.name = table_.contains("name") ? text(*table_.get("name"), "name")
+                                          : fs::path(path_).stem().string();
     read_measures();
     for (const toml::node* node : list("scenes")) {
       const std::string scene = text(*node, "a scene");
@@ -81,7 +82,8 @@ class Reader {
     for (const toml::table* table : tables("design")) add_designs(*table);
     for (const toml::node* node : list("memories")) add_memory(text(*node, "a memory"), *node);
     for (const toml::table* table : tables("memory")) add_memory(*table);
-    for (const toml::node* node : list("technologies")) add_technology(text(*node, "a technology"), "", *node);
+    for (const toml::node* node : list("technologies"))
+      add_technology(text(*node, "a technology"), "", *node);
     for (const toml::table* table : tables("technology")) add_technology(*table);
     if (const toml::node* clock = table_.get("clock_ps")) {
       study_.clock_ps = number(*clock, "clock_ps", 1, 1'000'000'000);
@@ -93,7 +95,8 @@ class Reader {
 
  private:
   [[noreturn]] void refuse(const toml::node& node, const std::string& expected) const {
-    throw StudyFileError(fmt::format("{}:{}: expected {}", path_, node.source().begin.line, expected));
+    throw StudyFileError(
+        fmt::format("{}:{}: expected {}", path_, node.source().begin.line, expected));
   }
 
   void know(const toml::table& table, const std::vector<std::string>& keys) const {
@@ -122,7 +125,8 @@ class Reader {
     const toml::node* node = table_.get(key);
     if (node == nullptr) return nodes;
     const toml::array* array = node->as_array();
-    if (array == nullptr || array->empty()) refuse(*node, fmt::format("{} to be a list, not empty", key));
+    if (array == nullptr || array->empty())
+      refuse(*node, fmt::format("{} to be a list, not empty", key));
     for (const toml::node& one : *array) nodes.push_back(&one);
     return nodes;
   }
@@ -199,7 +203,8 @@ class Reader {
     for (const scene::BuiltIn& one : scene::built_in_scenes()) {
       if (one.name == scene) return;
     }
-    refuse(node, fmt::format("a scene's file, bunny, or one that `pineda scenes` lists, got '{}'", scene));
+    refuse(node, fmt::format("a scene's file, bunny, or one that `pineda scenes` lists, got '{}'",
+                             scene));
   }
 
   // Options of a scene as commands have them, with _ for -.
@@ -207,8 +212,12 @@ class Reader {
     Options o;
     const std::map<std::string, std::function<void(const toml::node&)>> readers{
         {"size", [&](const toml::node& n) { o.size = text(n, "size"); }},
-        {"tessellate", [&](const toml::node& n) { o.tessellate = number(n, "tessellate", 1, 1000); }},
-        {"seed", [&](const toml::node& n) { o.seed = static_cast<uint64_t>(number(n, "seed", 0, 1'000'000'000)); }},
+        {"tessellate",
+         [&](const toml::node& n) { o.tessellate = number(n, "tessellate", 1, 1000); }},
+        {"seed",
+         [&](const toml::node& n) {
+           o.seed = static_cast<uint64_t>(number(n, "seed", 0, 1'000'000'000));
+         }},
         {"cull", [&](const toml::node& n) { o.cull = word<spec::Cull>(n, "cull"); }},
         {"depth", [&](const toml::node& n) { o.depth = word<spec::DepthFunc>(n, "depth"); }},
         {"depth_write", [&](const toml::node& n) { o.depth_write = word<bool>(n, "depth_write"); }},
@@ -243,7 +252,8 @@ class Reader {
   std::string word(const toml::node& node, const std::string& what) const {
     const std::string word = text(node, what);
     if (!spec::named<Choice>(word)) {
-      refuse(node, fmt::format("{} to be one of {}, got '{}'", what, spec::words_of<Choice>(), word));
+      refuse(node,
+             fmt::format("{} to be one of {}, got '{}'", what, spec::words_of<Choice>(), word));
     }
     return word;
   }
@@ -259,7 +269,8 @@ class Reader {
   }
   std::vector<double> vector(const toml::node& node, const std::string& what) const {
     const toml::array* array = node.as_array();
-    if (array == nullptr || array->size() != 3) refuse(node, what + " to be a list of three numbers");
+    if (array == nullptr || array->size() != 3)
+      refuse(node, what + " to be a list of three numbers");
     std::vector<double> result;
     for (const toml::node& one : *array) result.push_back(real(one, what));
     return result;
@@ -326,7 +337,8 @@ class Reader {
     }
     const int first = std::stoi(parts[1]), last = std::stoi(parts[2]);
     const int step = parts[4].matched ? std::stoi(parts[4]) : 1;
-    if (first > last || step == 0) refuse(node, fmt::format("a range that is not empty, got '{}'", text));
+    if (first > last || step == 0)
+      refuse(node, fmt::format("a range that is not empty, got '{}'", text));
     std::vector<int> values;
     for (int value = first; value <= last; value += step) values.push_back(value);
     return values;
@@ -340,13 +352,17 @@ class Reader {
       const bool known = std::any_of(std::begin(spec::kParameters), std::end(spec::kParameters),
                                      [&](const spec::Parameter& p) { return name == p.key; });
       if (!known) {
-        refuse(node, fmt::format("base, name or a parameter of a design (see pineda designs), got '{}'", name));
+        refuse(node,
+               fmt::format("base, name or a parameter of a design (see pineda designs), got '{}'",
+                           name));
       }
       axes.push_back(axis_of(name, node));
     }
     // The table's keys come by name; the file's order is what its writer sees.
-    std::stable_sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) { return a.line < b.line; });
-    const std::string base = table.contains("base") ? text(*table.get("base"), "base") : "high_tile";
+    std::stable_sort(axes.begin(), axes.end(),
+                     [](const Axis& a, const Axis& b) { return a.line < b.line; });
+    const std::string base =
+        table.contains("base") ? text(*table.get("base"), "base") : "high_tile";
     if (spec::find_design(base) == nullptr) refuse(*table.get("base"), "base to be a named design");
     const std::string name = table.contains("name") ? text(*table.get("name"), "name") : "";
     std::vector<size_t> at(axes.size(), 0);
@@ -362,16 +378,18 @@ class Reader {
     if (added == 0) refuse(table, "a design that can be built: " + reason_);
   }
 
-  bool add_combination(const toml::table& table, const std::string& base, const std::string& pattern,
-                       const std::vector<Axis>& axes, const std::vector<size_t>& at) {
+  bool add_combination(const toml::table& table, const std::string& base,
+                       const std::string& pattern, const std::vector<Axis>& axes,
+                       const std::vector<size_t>& at) {
     std::string name = pattern.empty() ? base : pattern;
     std::string body;
     for (size_t i = 0; i < axes.size(); ++i) {
       const std::string& value = axes[i].values[at[i]];
       body += fmt::format("{} = {}\n", axes[i].key, value);
       std::string shown = value;
-      shown.erase(std::remove_if(shown.begin(), shown.end(), [](char c) { return c == '\'' || c == '"'; }),
-                  shown.end());
+      shown.erase(
+          std::remove_if(shown.begin(), shown.end(), [](char c) { return c == '\'' || c == '"'; }),
+          shown.end());
       const std::string place = "{" + axes[i].key + "}";
       const size_t found = name.find(place);
       if (found != std::string::npos) {
@@ -381,16 +399,18 @@ class Reader {
       }
     }
     try {
-      add_design(spec::parse_design(fmt::format("base = '{}'\nname = '{}'\nsummary = 'of study {}'\n{}", base,
-                                                name, study_.name, body),
-                                    path_),
-                 table);
+      add_design(
+          spec::parse_design(fmt::format("base = '{}'\nname = '{}'\nsummary = 'of study {}'\n{}",
+                                         base, name, study_.name, body),
+                             path_),
+          table);
       return true;
     } catch (const spec::DesignFileError& error) {
       const std::string what = error.what();
       const std::string cannot = "expected a design that can be built: ";
       if (const size_t found = what.find(cannot); found != std::string::npos) {
-        if (left_out_++ == 0) reason_ = fmt::format("{}: {}", name, what.substr(found + cannot.size()));
+        if (left_out_++ == 0)
+          reason_ = fmt::format("{}: {}", name, what.substr(found + cannot.size()));
         return false;
       }
       for (const Axis& axis : axes) {
@@ -416,7 +436,8 @@ class Reader {
 
   memory::Kind kind_of(const std::string& word, const toml::node& node) const {
     const auto kind = spec::named<memory::Kind>(word);
-    if (!kind) refuse(node, fmt::format("one of {}, got '{}'", spec::words_of<memory::Kind>(), word));
+    if (!kind)
+      refuse(node, fmt::format("one of {}, got '{}'", spec::words_of<memory::Kind>(), word));
     return *kind;
   }
 
@@ -439,7 +460,8 @@ class Reader {
       if (!has_latency) keys.emplace_back(p.key);
     }
     know(table, keys);
-    memory.name = table.contains("name") ? text(*table.get("name"), "name") : spec::name_of(memory.kind);
+    memory.name =
+        table.contains("name") ? text(*table.get("name"), "name") : spec::name_of(memory.kind);
     if (const toml::node* latency = table.get("latency_cycles")) {
       memory.latency_cycles = number(*latency, "latency_cycles", 1, spec::kMaxDepthLatencyCycles);
     }
@@ -459,14 +481,17 @@ class Reader {
     const bool is_file = fs::path(name).extension() == ".toml";
     if (is_file) name = (folder_ / name).string();
     for (const studies::StudyTechnology& other : study_.technologies) {
-      if (other.name == name) refuse(node, fmt::format("another technology, '{}' is there twice", name));
+      if (other.name == name)
+        refuse(node, fmt::format("another technology, '{}' is there twice", name));
     }
     const auto names = studies::technology_names();
     if (!is_file && std::find(names.begin(), names.end(), name) == names.end()) {
-      refuse(node, fmt::format("one of {}, or a file .toml, got '{}'", fmt::join(names, ", "), name));
+      refuse(node,
+             fmt::format("one of {}, or a file .toml, got '{}'", fmt::join(names, ", "), name));
     }
     const fs::path file =
-        is_file ? fs::path(name) : files::data_folder() / "studies/area/technologies" / (name + ".toml");
+        is_file ? fs::path(name)
+                : files::data_folder() / "studies/area/technologies" / (name + ".toml");
     std::error_code error;
     if (!fs::is_regular_file(file, error)) {
       refuse(node, fmt::format("a technology, there is no file {}", file.string()));
@@ -504,7 +529,8 @@ class Reader {
     if (study_.scenes.empty() && (needs_time || asks(DependsOn::kScene))) {
       refuse(table_, "scenes = a list of scenes, or [[scene]]");
     }
-    if (study_.memories.empty() && needs_time) add_memory(spec::name_of(memory::Kind::kIdeal), table_);
+    if (study_.memories.empty() && needs_time)
+      add_memory(spec::name_of(memory::Kind::kIdeal), table_);
     if (study_.technologies.empty() && asks(DependsOn::kTechnology)) {
       add_technology("osu018", "", table_);
     }
@@ -515,10 +541,12 @@ class Reader {
     for (size_t i = 0; i < study_.designs.size(); ++i) {
       const spec::Design& design = study_.designs[i];
       std::string reason;
-      if (asks(DependsOn::kFrame) || asks(DependsOn::kMachine)) reason = spec::no_cycles_reason(design);
+      if (asks(DependsOn::kFrame) || asks(DependsOn::kMachine))
+        reason = spec::no_cycles_reason(design);
       if (reason.empty() && asks(DependsOn::kTechnology)) reason = spec::no_rtl_reason(design);
       if (!reason.empty()) {
-        refuse(*design_nodes_[i], fmt::format("a design that can be measured: {}: {}", design.name, reason));
+        refuse(*design_nodes_[i],
+               fmt::format("a design that can be measured: {}: {}", design.name, reason));
       }
     }
   }

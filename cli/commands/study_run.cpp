@@ -92,8 +92,9 @@ void print_throughputs(const Output& output, const std::vector<studies::Throughp
     if (t.area_mm2) for_area = t.samples_per_second / *t.area_mm2;
     output.line("{:<44}{:<16}{:>9.0f}{:>11.2f}{:>11.1f}{:>13}{:>11}{:>11}",
                 fmt::format("{}, {}, {}", t.scene, t.design, t.memory), t.technology, t.fmax_mhz,
-                1e-6 * t.triangles_per_second, 1e-6 * t.samples_per_second, scaled(for_area, 1e-6, 0),
-                scaled(t.read_mb_per_second, 1, 0), scaled(t.written_mb_per_second, 1, 0));
+                1e-6 * t.triangles_per_second, 1e-6 * t.samples_per_second,
+                scaled(for_area, 1e-6, 0), scaled(t.read_mb_per_second, 1, 0),
+                scaled(t.written_mb_per_second, 1, 0));
   }
 }
 
@@ -145,9 +146,9 @@ int run(const RunOptions& options) {
   const Output output(options);
   Progress progress(options);
   const StudyFile file = read_study(options.study);
-  const std::string path = options.results.empty()
-                               ? fs::path(options.study).filename().replace_extension(".db").string()
-                               : options.results;
+  const std::string path =
+      options.results.empty() ? fs::path(options.study).filename().replace_extension(".db").string()
+                              : options.results;
   const bool is_new = !fs::exists(path);
   studies::Results results(path, true);
   size_t committed = 0;
@@ -164,7 +165,8 @@ int run(const RunOptions& options) {
     slurm.folder = fs::absolute(fs::path(path).replace_extension(".slurm")).string();
     slurm.sbatch = options.sbatch;
     slurm.say = [&](const std::string& text) { output.say(text); };
-    studies::run_on_slurm(slurm, [&] { return studies::is_whole(file.study, results); }, &results);
+    studies::run_on_slurm(
+        slurm, [&] { return studies::is_whole(file.study, results); }, &results);
   }
   studies::RunOptions run;
   run.shard = shard_of(options.shard);
@@ -191,9 +193,11 @@ int run(const RunOptions& options) {
   if (!rows.empty()) output.line("");
   output.row("Study", fmt::format("{}: {} designs, {} scenes", file.study.name,
                                   file.study.designs.size(), file.study.scenes.size()));
-  output.row("Results", fmt::format("{} of {} are in {}", grouped(rows.size()), grouped(report.rows), path));
-  output.row("New", report.added > 0 ? fmt::format("{} in {:.1f} s", grouped(report.added), seconds.count())
-                                     : "nothing to do");
+  output.row("Results",
+             fmt::format("{} of {} are in {}", grouped(rows.size()), grouped(report.rows), path));
+  output.row("New", report.added > 0
+                        ? fmt::format("{} in {:.1f} s", grouped(report.added), seconds.count())
+                        : "nothing to do");
   if (file.left_out > 0) {
     output.warn(fmt::format("{}: {} combinations cannot be built and are left out; the first: {}",
                             options.study, file.left_out, file.reason));
@@ -248,7 +252,8 @@ int report(const ReportOptions& options) {
   const StudyFile file = read_study(options.study);
   const std::string from = results_of(options.study, options.results);
   const auto rows = studies::rows_of(file.study, rows_of(from));
-  if (rows.empty()) throw UsageError(fmt::format("{}: expected results of {}, got none", from, options.study));
+  if (rows.empty())
+    throw UsageError(fmt::format("{}: expected results of {}, got none", from, options.study));
   const std::string html = study_page_html(file.study, rows);
   ReservedFile page(options.out);
   page.keep(std::fputs(html.c_str(), page.file()) >= 0);
@@ -267,7 +272,8 @@ struct ExportOptions : Options {
 
 int export_rows(const ExportOptions& options) {
   if (options.csv.empty() && options.json.empty()) throw UsageError("expected --csv or --json");
-  if (options.csv == "-" && options.json == "-") throw UsageError("--csv, --json: expected one of them to be a file");
+  if (options.csv == "-" && options.json == "-")
+    throw UsageError("--csv, --json: expected one of them to be a file");
   Options to = options;
   if (options.csv == "-") to.quiet = true;
   const Output output(to);
@@ -307,7 +313,8 @@ int merge(const MergeOptions& options) {
   }
   studies::Results into(options.into, true);
   const size_t added = into.add(rows);
-  output.line("{} rows are new in {}, {} were there", grouped(added), options.into, grouped(rows.size() - added));
+  output.line("{} rows are new in {}, {} were there", grouped(added), options.into,
+              grouped(rows.size() - added));
   output.json({{"rows", rows.size()}, {"added", added}});
   return kHolds;
 }
@@ -321,7 +328,8 @@ struct CompareOptions : Options {
 };
 
 std::string change_text(const studies::Change& change) {
-  const std::string share = change.before == 0 ? "" : fmt::format("{:+.2f} %", 100 * change.share());
+  const std::string share =
+      change.before == 0 ? "" : fmt::format("{:+.2f} %", 100 * change.share());
   return fmt::format("{:<44} {:<30}{:>16}{:>16}{:>11}", place_of(*change.row),
                      change.row->measure + " " + change.figure, of_a_number(change.before),
                      of_a_number(change.after), share);
@@ -339,7 +347,8 @@ int compare(const CompareOptions& options) {
   for (size_t i = 0; i < std::min(kMost, c.changes.size()); ++i) {
     output.line("{}", change_text(c.changes[i]));
   }
-  if (c.changes.size() > kMost) output.line("and {} more: --json has all", c.changes.size() - kMost);
+  if (c.changes.size() > kMost)
+    output.line("and {} more: --json has all", c.changes.size() - kMost);
   output.row("Compared", fmt::format("{} figures of {} rows", grouped(c.figures), grouped(c.rows)));
   output.row("Changed", grouped(c.changes.size()));
   output.row("Only before", grouped(c.only_before.size()));
@@ -368,30 +377,43 @@ int compare(const CompareOptions& options) {
 
 void add_run_study(CLI::App* study, int* exit_code) {
   auto options = std::make_shared<RunOptions>();
-  auto* command = study->add_subcommand("run", "Scenes x designs x memories x measures: what is missing of a study");
-  command->add_option("study", options->study, "Scenes, designs, memories, technologies, measures: docs/studies.md")
+  auto* command = study->add_subcommand(
+      "run", "Scenes x designs x memories x measures: what is missing of a study");
+  command
+      ->add_option("study", options->study,
+                   "Scenes, designs, memories, technologies, measures: docs/studies.md")
       ->required()
       ->type_name("STUDY.toml");
   command
-      ->add_option("-r,--results", options->results,
-                   "Where results are kept; STUDY.db unless given. A new file starts with STUDY.csv's rows")
+      ->add_option(
+          "-r,--results", options->results,
+          "Where results are kept; STUDY.db unless given. A new file starts with STUDY.csv's rows")
       ->type_name("FILE.db");
-  command->add_option("-j,--jobs", options->jobs, "Processes at once; as many as there are processors unless given")
+  command
+      ->add_option("-j,--jobs", options->jobs,
+                   "Processes at once; as many as there are processors unless given")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
-  auto* shard = command->add_option("--shard", options->shard, "Every N-th piece of work, from the I-th on, from 0");
+  auto* shard = command->add_option("--shard", options->shard,
+                                    "Every N-th piece of work, from the I-th on, from 0");
   shard->type_name("I/N");
-  auto* slurm = command->add_option("--slurm", options->slurm,
-                                    "First as an array of N tasks of Slurm; STUDY.slurm has their results and logs");
+  auto* slurm = command->add_option(
+      "--slurm", options->slurm,
+      "First as an array of N tasks of Slurm; STUDY.slurm has their results and logs");
   slurm->check(CLI::Range(1, 10'000))->type_name("N")->excludes(shard);
-  command->add_option("--sbatch", options->sbatch, "Further options for sbatch")->needs(slurm)->type_name("OPTIONS");
+  command->add_option("--sbatch", options->sbatch, "Further options for sbatch")
+      ->needs(slurm)
+      ->type_name("OPTIONS");
   add_output_options(command, options.get());
   command->callback([options, exit_code] { *exit_code = run(*options); });
 
   auto reports = std::make_shared<ReportOptions>();
-  auto* reporter = study->add_subcommand("report", "A study's results as one page that opens from a file");
+  auto* reporter =
+      study->add_subcommand("report", "A study's results as one page that opens from a file");
   reporter->add_option("study", reports->study, "The study")->required()->type_name("STUDY.toml");
-  reporter->add_option("-r,--results", reports->results, "Its results; STUDY.db or STUDY.csv unless given")
+  reporter
+      ->add_option("-r,--results", reports->results,
+                   "Its results; STUDY.db or STUDY.csv unless given")
       ->type_name("FILE.db|FILE.csv");
   reporter->add_option("-o,--out", reports->out, "The page")->required()->type_name("FILE.html");
   add_output_options(reporter, reports.get());
@@ -399,7 +421,9 @@ void add_run_study(CLI::App* study, int* exit_code) {
 
   auto exports = std::make_shared<ExportOptions>();
   auto* exporter = study->add_subcommand("export", "The results of studies as CSV or JSON");
-  exporter->add_option("results", exports->results, "Results")->required()->type_name("FILE.db|FILE.csv");
+  exporter->add_option("results", exports->results, "Results")
+      ->required()
+      ->type_name("FILE.db|FILE.csv");
   exporter->add_option("--csv", exports->csv, "A line a figure, - for stdout")->type_name("FILE");
   exporter->add_flag("--host-speed", exports->host_speed, "Also rows that depend on the machine");
   add_output_options(exporter, exports.get());
@@ -407,19 +431,28 @@ void add_run_study(CLI::App* study, int* exit_code) {
 
   auto merges = std::make_shared<MergeOptions>();
   auto* merger = study->add_subcommand("merge", "Adds results to others");
-  merger->add_option("into", merges->into, "Results; made if they are not there")->required()->type_name("FILE.db");
-  merger->add_option("from", merges->from, "Results that are added")->required()->type_name("FILE.db|FILE.csv");
+  merger->add_option("into", merges->into, "Results; made if they are not there")
+      ->required()
+      ->type_name("FILE.db");
+  merger->add_option("from", merges->from, "Results that are added")
+      ->required()
+      ->type_name("FILE.db|FILE.csv");
   add_output_options(merger, merges.get());
   merger->callback([merges, exit_code] { *exit_code = merge(*merges); });
 
   auto compares = std::make_shared<CompareOptions>();
   auto* comparer = study->add_subcommand("compare", "What changed between two sets of results");
-  comparer->add_option("before", compares->before, "Results")->required()->type_name("FILE.db|FILE.csv");
-  comparer->add_option("after", compares->after, "Results")->required()->type_name("FILE.db|FILE.csv");
+  comparer->add_option("before", compares->before, "Results")
+      ->required()
+      ->type_name("FILE.db|FILE.csv");
+  comparer->add_option("after", compares->after, "Results")
+      ->required()
+      ->type_name("FILE.db|FILE.csv");
   comparer->add_option("--within", compares->within_percent, "Figures may differ by so much, %")
       ->check(CLI::Range(0., 1000.))
       ->type_name("PERCENT");
-  comparer->add_flag("--gate", compares->gate, "Exit 1 if a figure differs by more, or a row is missing");
+  comparer->add_flag("--gate", compares->gate,
+                     "Exit 1 if a figure differs by more, or a row is missing");
   add_output_options(comparer, compares.get());
   comparer->callback([compares, exit_code] { *exit_code = compare(*compares); });
 }

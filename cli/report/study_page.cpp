@@ -26,11 +26,13 @@ std::string text_of(const std::string& file, const std::string& otherwise) {
 }
 
 std::string part(const std::string& name) {
-  return text_of((files::data_folder() / "studies/run/page" / name).string(), "it comes with pineda");
+  return text_of((files::data_folder() / "studies/run/page" / name).string(),
+                 "it comes with pineda");
 }
 
 /// What is in some column of the rows of a measure that depends on `on`, in the order of the rows.
-std::vector<std::string> values(const std::vector<Row>& rows, std::string Row::*column, bool is_technology) {
+std::vector<std::string> values(const std::vector<Row>& rows, std::string Row::*column,
+                                bool is_technology) {
   std::vector<std::string> all;
   for (const Row& row : rows) {
     const auto on = spec::row_of(*spec::named<studies::Measure>(row.measure)).on;
@@ -45,9 +47,10 @@ Json data(const studies::Study& study, const std::vector<Row>& rows) {
             {"memories", values(rows, &Row::memory, false)},
             {"technologies", values(rows, &Row::memory, true)}};
   for (const spec::Design& d : study.designs) {
-    json["designs"].push_back({{"name", d.name},
-                               {"stamp", fmt::format("{}x{}", 1 << d.stamp_width_log2, 1 << d.stamp_height_log2)},
-                               {"toml", spec::design_toml(d, spec::kHighTile)}});
+    json["designs"].push_back(
+        {{"name", d.name},
+         {"stamp", fmt::format("{}x{}", 1 << d.stamp_width_log2, 1 << d.stamp_height_log2)},
+         {"toml", spec::design_toml(d, spec::kHighTile)}});
   }
   json["rows"] = Json::array();
   for (const Row& row : rows) {
@@ -64,7 +67,8 @@ Json data(const studies::Study& study, const std::vector<Row>& rows) {
 
 /// What stands in a script must not end it.
 std::string in_script(std::string text) {
-  for (size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3) text.replace(at, 2, "<\\/");
+  for (size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3)
+    text.replace(at, 2, "<\\/");
   return text;
 }
 
@@ -81,7 +85,8 @@ std::string study_page_html(const studies::Study& study, const std::vector<Row>&
   std::set<std::string> made_by;
   for (const Row& row : rows) made_by.insert(row.made_by);
   std::string versions;
-  for (const std::string& one : made_by) versions += fmt::format("<li>{}</li>", studies::escaped(one));
+  for (const std::string& one : made_by)
+    versions += fmt::format("<li>{}</li>", studies::escaped(one));
   std::string html = part("report.html");
   put("@TITLE@", studies::escaped("Study " + study.name), &html);
   put("@SUMMARY@",

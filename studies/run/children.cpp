@@ -85,7 +85,8 @@ class Child {
   }
   Answer finish() {
     wait();
-    if (text_.size() < 2 || text_.back() != kEnd) return {"", "its process ended without an answer"};
+    if (text_.size() < 2 || text_.back() != kEnd)
+      return {"", "its process ended without an answer"};
     const std::string text = text_.substr(1, text_.size() - 2);
     return text_[0] == kAnswer ? Answer{text, ""} : Answer{"", text};
   }

@@ -20,7 +20,8 @@ std::map<Place, const Row*> by_place(const std::vector<Row>& rows) {
 
 }  // namespace
 
-Comparison compare(const std::vector<Row>& before, const std::vector<Row>& after, double tolerance) {
+Comparison compare(const std::vector<Row>& before, const std::vector<Row>& after,
+                   double tolerance) {
   Comparison result;
   const auto old_rows = by_place(before);
   const auto new_rows = by_place(after);
@@ -40,12 +41,13 @@ Comparison compare(const std::vector<Row>& before, const std::vector<Row>& after
     for (const auto& [name, values] : figures) {
       ++result.figures;
       const auto [was, is] = values;
-      if (std::abs(is - was) > tolerance * std::abs(was)) result.changes.push_back({row, name, was, is});
+      if (std::abs(is - was) > tolerance * std::abs(was))
+        result.changes.push_back({row, name, was, is});
     }
   }
-  std::stable_sort(result.changes.begin(), result.changes.end(), [](const Change& a, const Change& b) {
-    return std::abs(a.share()) > std::abs(b.share());
-  });
+  std::stable_sort(
+      result.changes.begin(), result.changes.end(),
+      [](const Change& a, const Change& b) { return std::abs(a.share()) > std::abs(b.share()); });
   return result;
 }
 

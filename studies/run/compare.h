@@ -21,7 +21,7 @@ struct Change {
 };
 
 struct Comparison {
-  std::vector<Change> changes;     // by more than the tolerance, the greatest first
+  std::vector<Change> changes;  // by more than the tolerance, the greatest first
   std::vector<const Row*> only_before, only_after;
   size_t rows = 0;     // in both
   size_t figures = 0;  // compared

@@ -66,7 +66,8 @@ std::vector<Throughput> throughputs(const std::vector<Row>& rows) {
   for (const Row& frame : rows) {
     if (frame.measure != spec::name_of(Measure::kCycles)) continue;
     for (const Row& timing : rows) {
-      if (timing.measure != spec::name_of(Measure::kTiming) || timing.design != frame.design) continue;
+      if (timing.measure != spec::name_of(Measure::kTiming) || timing.design != frame.design)
+        continue;
       all.push_back(throughput(by_place, frame, timing));
     }
   }

@@ -15,9 +15,9 @@ struct Throughput {
   double cycles = 0;
   double fmax_mhz = 0;
   double triangles_per_second = 0;
-  double samples_per_second = 0;                  // covered ones, hidden or not
-  std::optional<double> area_mm2;                 // with area
-  std::optional<double> read_mb_per_second;       // 10^6 bytes; with bandwidth
+  double samples_per_second = 0;             // covered ones, hidden or not
+  std::optional<double> area_mm2;            // with area
+  std::optional<double> read_mb_per_second;  // 10^6 bytes; with bandwidth
   std::optional<double> written_mb_per_second;
   std::optional<double> depth_hit_rate, color_hit_rate;  // of the tile caches, behind which DRAM is
 };

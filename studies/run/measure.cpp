@@ -48,15 +48,15 @@ TimedFrame timed(const Study& study, const Task& task) {
   const spec::Contract contract = spec::contract(study.designs[task.design]);
   const scene::Scene scene = study.scenes[task.scene].open(contract, false);
   const auto triangles = all_of(scene.source.get());
-  TimedFrame frame{contract, scene.frame, {}, make_memory(study.memories[task.memory], contract), 0};
+  TimedFrame frame{
+      contract, scene.frame, {}, make_memory(study.memories[task.memory], contract), 0};
   timing::RasterTop top("raster_top", contract);
   top.set_memory(frame.memory);
   // What is written is only known with every bit.
   top.set_bits(task.measures(Measure::kBandwidth));
   const auto start = std::chrono::steady_clock::now();
   frame.result = top.run(scene.frame, triangles);
-  frame.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  frame.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return frame;
 }
 
@@ -74,9 +74,11 @@ Figures cycles_of(const TimedFrame& frame) {
 // Every counter whose value is known without bits: the same figures whatever else was asked for.
 Figures stalls_of(const TimedFrame& frame) {
   Figures figures;
-  timing::for_each_counter(frame.contract, frame.result, [&](const timing::Counter& row, auto count) {
-    if (row.known != core::Known::kIfTested) add(&figures, row.name, count);
-  });
+  timing::for_each_counter(frame.contract, frame.result,
+                           [&](const timing::Counter& row, auto count) {
+                             if (row.known != core::Known::kIfTested)
+                               add(&figures, row.name, count);
+                           });
   return figures;
 }
 

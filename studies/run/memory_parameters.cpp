@@ -9,7 +9,8 @@ std::string parameters_of(const StudyMemory& m) {
   if (spec::row_of(m.kind).has_latency) {
     return text + (m.latency_cycles ? fmt::format(" latency {}", *m.latency_cycles) : "");
   }
-  for (const DramParameter& p : kDramParameters) text += fmt::format(" {} {}", p.key, m.dram.*p.member);
+  for (const DramParameter& p : kDramParameters)
+    text += fmt::format(" {} {}", p.key, m.dram.*p.member);
   return text;
 }
 

@@ -75,8 +75,9 @@ Results::Results(const std::string& file, bool may_make) : file_(file) {
     throw ResultsError(file + ": expected a database of results, there is no such file");
   }
   sqlite3* database = nullptr;
-  const int code = sqlite3_open_v2(
-      file.c_str(), &database, SQLITE_OPEN_READWRITE | (may_make ? SQLITE_OPEN_CREATE : 0), nullptr);
+  const int code =
+      sqlite3_open_v2(file.c_str(), &database,
+                      SQLITE_OPEN_READWRITE | (may_make ? SQLITE_OPEN_CREATE : 0), nullptr);
   database_.reset(database);
   if (code != SQLITE_OK) fail();
   sqlite3_busy_timeout(database, kPatienceMs);
@@ -88,19 +89,21 @@ Results::Results(const std::string& file, bool may_make) : file_(file) {
   const bool is_empty = number("SELECT count(*) FROM sqlite_master") == 0;
   if (is_empty && may_make) {
     execute(kTables);
-    execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplication, kVersion)
-                .c_str());
+    execute(
+        fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplication, kVersion)
+            .c_str());
   } else if (application != kApplication) {
     throw ResultsError(file + ": expected a database of results, got another one");
   } else if (version != kVersion) {
-    throw ResultsError(fmt::format("{}: expected results of version {}, got version {}", file, kVersion,
-                                   version));
+    throw ResultsError(
+        fmt::format("{}: expected results of version {}, got version {}", file, kVersion, version));
   }
   execute("COMMIT");
 }
 
 void Results::fail() const {
-  throw ResultsError(file_ + ": expected a database of results: " + sqlite3_errmsg(database_.get()));
+  throw ResultsError(file_ +
+                     ": expected a database of results: " + sqlite3_errmsg(database_.get()));
 }
 
 void Results::execute(const char* sql) const {

@@ -57,7 +57,8 @@ std::vector<Row> read_csv(const std::string& file) {
   const auto refuse = [&](const std::string& expected) {
     throw ResultsError(fmt::format("{}:{}: expected {}", file, number, expected));
   };
-  if (!std::getline(in, line)) throw ResultsError(file + ": expected rows of results, cannot read them");
+  if (!std::getline(in, line))
+    throw ResultsError(file + ": expected rows of results, cannot read them");
   if (line != kHead) refuse(fmt::format("the line '{}'", kHead));
   std::vector<Row> rows;
   while (std::getline(in, line)) {
@@ -69,7 +70,8 @@ std::vector<Row> read_csv(const std::string& file) {
     Figure figure{columns[4], 0};
     const char* const end = columns[5].data() + columns[5].size();
     const auto read = std::from_chars(columns[5].data(), end, figure.value);
-    if (read.ec != std::errc() || read.ptr != end) refuse("a number as value, got '" + columns[5] + "'");
+    if (read.ec != std::errc() || read.ptr != end)
+      refuse("a number as value, got '" + columns[5] + "'");
     if (columns[6].empty()) refuse("a key");
     if (rows.empty() || rows.back().key != columns[6]) {
       rows.push_back({columns[6], columns[0], columns[1], columns[2], columns[3], columns[7], {}});

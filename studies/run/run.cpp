@@ -57,7 +57,8 @@ RunReport run_study(const Study& study, const RunOptions& options, Results* resu
   RunReport report;
   std::vector<Task> tasks;
   const std::vector<Task> all = tasks_of(study);
-  for (size_t i = options.shard.number; i < all.size(); i += options.shard.of) tasks.push_back(all[i]);
+  for (size_t i = options.shard.number; i < all.size(); i += options.shard.of)
+    tasks.push_back(all[i]);
   const auto count = [](const std::vector<Task>& of) {
     size_t rows = 0;
     for (const Task& task : of) rows += task.rows.size();

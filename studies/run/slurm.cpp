@@ -35,7 +35,8 @@ std::string write_script(const SlurmOptions& options) {
 
 }  // namespace
 
-void run_on_slurm(const SlurmOptions& options, const std::function<bool()>& is_done, Results* results) {
+void run_on_slurm(const SlurmOptions& options, const std::function<bool()>& is_done,
+                  Results* results) {
   if (std::system("command -v sbatch >/dev/null 2>&1") != 0) {
     throw ResultsError("--slurm: expected sbatch on the path");
   }

@@ -13,8 +13,9 @@ struct SlurmOptions {
   size_t shards = 1;    // tasks of the array
   std::string program;  // pineda, where the nodes find it
   std::string study;    // STUDY.toml, likewise
-  std::string folder;   // for the shards' results, their logs and the script; nodes and this machine share it
-  std::string sbatch;   // further options, as one has them for sbatch
+  std::string
+      folder;  // for the shards' results, their logs and the script; nodes and this machine share it
+  std::string sbatch;  // further options, as one has them for sbatch
   std::function<void(const std::string&)> say;
 };
 
@@ -24,6 +25,7 @@ struct SlurmOptions {
 /// at most, as long as `is_done` does not hold.
 ///
 /// Errors   ResultsError: sbatch is not there, or takes no job; the folder cannot be written.
-void run_on_slurm(const SlurmOptions& options, const std::function<bool()>& is_done, Results* results);
+void run_on_slurm(const SlurmOptions& options, const std::function<bool()>& is_done,
+                  Results* results);
 
 }  // namespace pineda::studies

@@ -29,11 +29,15 @@ struct MeasureName {
   int revision;
 };
 inline constexpr MeasureName kMeasureNames[] = {
-    {Measure::kCycles, "cycles", "of a frame, with its triangles and samples", DependsOn::kFrame, 1},
-    {Measure::kStalls, "stalls", "what each unit did in each cycle, FIFOs, ports", DependsOn::kFrame, 1},
+    {Measure::kCycles, "cycles", "of a frame, with its triangles and samples", DependsOn::kFrame,
+     1},
+    {Measure::kStalls, "stalls", "what each unit did in each cycle, FIFOs, ports",
+     DependsOn::kFrame, 1},
     {Measure::kBandwidth, "bandwidth", "bytes read and written, caches", DependsOn::kFrame, 1},
-    {Measure::kError, "error", "coverage, depth and colour against exact arithmetic", DependsOn::kScene, 1},
-    {Measure::kHostSpeed, "host_speed", "of the cycle model on this machine", DependsOn::kMachine, 1},
+    {Measure::kError, "error", "coverage, depth and colour against exact arithmetic",
+     DependsOn::kScene, 1},
+    {Measure::kHostSpeed, "host_speed", "of the cycle model on this machine", DependsOn::kMachine,
+     1},
     {Measure::kArea, "area", "of cells, by unit", DependsOn::kTechnology, 1},
     {Measure::kTiming, "timing", "slowest paths, by unit", DependsOn::kTechnology, 1},
 };

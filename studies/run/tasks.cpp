@@ -70,10 +70,15 @@ class Tasks {
     for (const Measure measure : study_.measures) {
       const MeasureName& name = spec::row_of(measure);
       if (name.on != task.on) continue;
-      const std::string key = fmt::format("{} {}\n{}\n{}", name.word, name.revision,
-                                          hardware_[task.design], on);
-      task.rows.push_back({fmt::format("{:016x}", spec::text_hash(key)), scene, design.name, memory,
-                           name.word, "", {}});
+      const std::string key =
+          fmt::format("{} {}\n{}\n{}", name.word, name.revision, hardware_[task.design], on);
+      task.rows.push_back({fmt::format("{:016x}", spec::text_hash(key)),
+                           scene,
+                           design.name,
+                           memory,
+                           name.word,
+                           "",
+                           {}});
     }
     if (!task.rows.empty()) tasks_.push_back(std::move(task));
   }

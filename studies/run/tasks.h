@@ -13,7 +13,8 @@ namespace pineda::studies {
 /// Results that come from one piece of work: of a frame, a scene, or a design in a technology.
 struct Task {
   DependsOn on = DependsOn::kFrame;
-  size_t scene = 0, design = 0, memory = 0, technology = 0;  // places in the study, where it depends on them
+  size_t scene = 0, design = 0, memory = 0,
+         technology = 0;  // places in the study, where it depends on them
   std::vector<Row> rows;  // without figures
 
   bool measures(Measure measure) const;

@@ -66,13 +66,15 @@ TEST_F(StudyRun, FiguresAreThoseOfTheCommands) {
     for (const std::string design : {"tiny", "low"}) {
       for (const std::string memory : {"ideal", "dram"}) {
         SCOPED_TRACE(scene + " " + design + " " + memory);
-        const Json time = figures({"time", scene, "--design", design, "--memory", memory, "--bits"});
+        const Json time =
+            figures({"time", scene, "--design", design, "--memory", memory, "--bits"});
         const Json cycles = row(study, scene, design, memory, "cycles");
         EXPECT_EQ(cycles.at("cycles"), time.at("cycles"));
         EXPECT_EQ(cycles.at("fragments"), time.at("counters").at("fragments"));
         const Json stalls = row(study, scene, design, memory, "stalls");
         EXPECT_EQ(stalls.at("setup.busy"), time.at("units").at("setup").at("busy"));
-        EXPECT_EQ(stalls.at("interp_ztest.memory"), time.at("units").at("interp_ztest").at("memory"));
+        EXPECT_EQ(stalls.at("interp_ztest.memory"),
+                  time.at("units").at("interp_ztest").at("memory"));
         if (memory == "ideal") continue;
         const Json bandwidth = row(study, scene, design, memory, "bandwidth");
         EXPECT_EQ(bandwidth.at("depth.misses"), time.at("dram").at("depth").at("misses"));
@@ -82,7 +84,8 @@ TEST_F(StudyRun, FiguresAreThoseOfTheCommands) {
       const Json judged = row(study, scene, design, "", "error");
       EXPECT_EQ(judged.at("missing"), 0);
       EXPECT_EQ(judged.at("extra"), 0);
-      EXPECT_NEAR(judged.at("depth_max_ulp").get<double>(), error.at("depth").at("max_ulp").get<double>(), 1e-6);
+      EXPECT_NEAR(judged.at("depth_max_ulp").get<double>(),
+                  error.at("depth").at("max_ulp").get<double>(), 1e-6);
     }
   }
 }
@@ -110,11 +113,13 @@ plane_slots = 7
   again = json();
   EXPECT_EQ(again.at("there"), first.at("rows"));
   EXPECT_EQ(again.at("added"), 2 * (2 * 3 + 1));
-  EXPECT_EQ(row(again, "grid", "least", "dram", "cycles"), row(first, "grid", "tiny", "dram", "cycles"));
+  EXPECT_EQ(row(again, "grid", "least", "dram", "cycles"),
+            row(first, "grid", "tiny", "dram", "cycles"));
 }
 
 TEST_F(StudyRun, FileThatHasChangedIsMeasuredAgain) {
-  const std::string triangle = "v 1 1 .5 1 9 9 9 255\nv 14 1 .5 1 9 9 9 255\nv 1 14 .5 1 9 9 9 255\n";
+  const std::string triangle =
+      "v 1 1 .5 1 9 9 9 255\nv 14 1 .5 1 9 9 9 255\nv 1 14 .5 1 9 9 9 255\n";
   const std::string scene = "pineda-tri 1\nsize 16 16\n" + triangle;
   scratch_.write("one.tri", scene);
   write("scenes = ['one.tri']\ndesigns = ['tiny']\nmeasures = ['cycles']\n");
@@ -170,7 +175,8 @@ TEST_F(StudyRun, FullDiskLosesNothing) {
   shell.program = "/bin/sh";
   // No file may grow beyond 24 KiB; the signal that says so is ignored, so the write fails.
   const Outcome full = pineda({"-c", "trap '' XFSZ; ulimit -f 48; exec " PINEDA_PROGRAM
-                                     " study run a.toml --results full.db --json -"}, shell);
+                                     " study run a.toml --results full.db --json -"},
+                              shell);
   EXPECT_EQ(full.exit_code, 2);
   EXPECT_EQ(std::count(full.err.begin(), full.err.end(), '\n'), 1) << full.err;
   EXPECT_NE(full.err.find("full.db"), std::string::npos) << full.err;
@@ -298,38 +304,51 @@ TEST_F(StudyRun, BadInputIsOneLine) {
   const std::map<std::string, std::string> bad{
       {"", "a.toml:1: expected designs = "},
       {"designs = ['tiny']\n", "a.toml:1: expected scenes = "},
-      {"designs = ['tiny']\nscenes = ['triangle']\nmeasures = ['speed']\n", "a.toml:3: expected one of cycles, "},
-      {"designs = ['tiny']\nscenes = ['triangle', 'none.tri']\n", "a.toml:2: expected a scene, there is no file none.tri"},
+      {"designs = ['tiny']\nscenes = ['triangle']\nmeasures = ['speed']\n",
+       "a.toml:3: expected one of cycles, "},
+      {"designs = ['tiny']\nscenes = ['triangle', 'none.tri']\n",
+       "a.toml:2: expected a scene, there is no file none.tri"},
       {"designs = ['tiny']\nscenes = ['tripod']\n", "a.toml:2: expected a scene's file"},
       {"designs = ['tiny', 'huge']\nscenes = ['triangle']\n", "a.toml:1: expected a named design"},
       {"designs = []\n", "a.toml:1: expected designs to be a list, not empty"},
-      {"scenes = ['triangle']\n[[design]]\ntile_px = '8..4'\n", "a.toml:3: expected a range that is not empty"},
-      {"scenes = ['triangle']\n[[design]]\ntile_px = []\n", "a.toml:3: expected tile_px to have a value"},
-      {"scenes = ['triangle']\n[[design]]\ntile_px = [8, 9]\n", "a.toml:3: expected tile_px to be a power of two"},
-      {"scenes = ['triangle']\n[[design]]\ntile_pixels = 8\n", "a.toml:3: expected base, name or a parameter"},
-      {"scenes = ['triangle']\ndesigns = ['tiny', 'tiny']\n", "a.toml:2: expected another name, 'tiny'"},
-      {"scenes = ['triangle']\ndesigns = ['tiny']\nmemories = ['sram']\n", "a.toml:3: expected one of ideal, "},
+      {"scenes = ['triangle']\n[[design]]\ntile_px = '8..4'\n",
+       "a.toml:3: expected a range that is not empty"},
+      {"scenes = ['triangle']\n[[design]]\ntile_px = []\n",
+       "a.toml:3: expected tile_px to have a value"},
+      {"scenes = ['triangle']\n[[design]]\ntile_px = [8, 9]\n",
+       "a.toml:3: expected tile_px to be a power of two"},
+      {"scenes = ['triangle']\n[[design]]\ntile_pixels = 8\n",
+       "a.toml:3: expected base, name or a parameter"},
+      {"scenes = ['triangle']\ndesigns = ['tiny', 'tiny']\n",
+       "a.toml:2: expected another name, 'tiny'"},
+      {"scenes = ['triangle']\ndesigns = ['tiny']\nmemories = ['sram']\n",
+       "a.toml:3: expected one of ideal, "},
       {"scenes = ['triangle']\ndesigns = ['tiny']\n[[memory]]\nkind = 'dram'\nlatency_cycles = 3\n",
        "a.toml:5: expected one of name, kind, banks"},
       {"scenes = ['triangle']\ndesigns = ['tiny']\n[[memory]]\nkind = 'dram'\nbanks = 0\n",
        "a.toml:3: expected a memory that can be"},
       {"scenes = [triangle]\n", "a.toml:1: expected TOML"},
       {"colour = 1\n", "a.toml:1: expected one of name, scenes"},
-      {"designs = ['tiny']\ntechnologies = ['cmos']\nmeasures = ['area']\n", "a.toml:2: expected one of asap7"},
+      {"designs = ['tiny']\ntechnologies = ['cmos']\nmeasures = ['area']\n",
+       "a.toml:2: expected one of asap7"},
   };
   for (const auto& [text, message] : bad) {
     write(text);
     EXPECT_TRUE(is_refused(run(), message)) << text;
     EXPECT_EQ(scratch_.files(), std::vector<std::string>{"a.toml"}) << text;
   }
-  EXPECT_TRUE(is_refused(pineda({"study", "run", "none.toml"}, here_), "none.toml: expected a study"));
+  EXPECT_TRUE(
+      is_refused(pineda({"study", "run", "none.toml"}, here_), "none.toml: expected a study"));
 }
 
 TEST_F(StudyRun, OtherDatabasesAreRefusedAndStay) {
   write("scenes = ['triangle']\ndesigns = ['tiny']\nmeasures = ['cycles']\n");
-  scratch_.write("other.db", "not a database, and long enough to be taken for one if nobody looked at its head");
+  scratch_.write(
+      "other.db",
+      "not a database, and long enough to be taken for one if nobody looked at its head");
   const std::string before = read_bytes(scratch_.path("other.db"));
-  EXPECT_TRUE(is_refused(run({"--results", "other.db"}), "other.db: expected a database of results"));
+  EXPECT_TRUE(
+      is_refused(run({"--results", "other.db"}), "other.db: expected a database of results"));
   EXPECT_EQ(read_bytes(scratch_.path("other.db")), before);
   json();
   // The version of the tables, in SQLite's header.
@@ -337,8 +356,11 @@ TEST_F(StudyRun, OtherDatabasesAreRefusedAndStay) {
   bytes[63] = 9;
   scratch_.write("a.db", bytes);
   EXPECT_TRUE(is_refused(run(), "a.db: expected results of version 1, got version 9"));
-  EXPECT_TRUE(is_refused(pineda({"study", "export", "none.db", "--csv", "-"}, here_), "none.db: expected"));
-  scratch_.write("cut.csv", "scene,design,memory,measure,figure,value,key,made_by\na,b,c,cycles,cycles,12x,1,2\n");
+  EXPECT_TRUE(
+      is_refused(pineda({"study", "export", "none.db", "--csv", "-"}, here_), "none.db: expected"));
+  scratch_.write(
+      "cut.csv",
+      "scene,design,memory,measure,figure,value,key,made_by\na,b,c,cycles,cycles,12x,1,2\n");
   EXPECT_TRUE(is_refused(pineda({"study", "export", "cut.csv", "--csv", "-"}, here_),
                          "cut.csv:2: expected a number as value, got '12x'"));
 }

@@ -11,7 +11,7 @@ browser=$(command -v chromium || command -v chromium-browser || true)
 [[ -n $browser ]] || { echo "Chromium is not installed"; exit 77; }
 [[ -f /usr/share/javascript/d3/d3.min.js ]] || { echo "libjs-d3 is not installed"; exit 77; }
 
-folder=$(mktemp -d /tmp/pineda-page-XXXXXX)
+folder=$(mktemp -d -t pineda-page-XXXXXX)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 "$pineda" study run "$study" --results rows.db --quiet

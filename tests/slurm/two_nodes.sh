@@ -11,7 +11,7 @@ for tool in slurmctld slurmd sbatch munged; do
 done
 [[ $EUID -eq 0 ]] || { echo "only root can start Slurm's daemons"; exit 77; }
 
-folder=$(mktemp -d /tmp/pineda-slurm-XXXXXX)
+folder=$(mktemp -d -t pineda-slurm-XXXXXX)
 daemons=()
 # What this Slurm's nodes have started, and no other's.
 kill_steps() {
