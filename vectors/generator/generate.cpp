@@ -8,9 +8,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "model/spec/package.h"
-#include "model/spec/random.h"
 #include "vectors/coverage/coverage.h"
+#include "vectors/generator/raw_cases.h"
 
 namespace pineda::vectors {
 namespace {
@@ -88,97 +87,17 @@ Fit make_case(const Contract& c, const Scene& scene, FrameCase* result) {
   return Fit::kTaken;
 }
 
-// A plane with every bit random: it wraps and leaves the output's range.
-spec::Plane raw_plane(spec::Random& random, int bits) {
-  const auto any = [&] { return spec::wrap(static_cast<int64_t>(random.bits()), bits); };
-  return {any(), any(), any()};
-}
-
-// Stamps with random planes, as no triangle gives them: they wrap, clamp and round where scenes
-// cannot. The exact judge cannot check them; core alone defines their results.
-InterpZtestCase raw_stamps(const Contract& c, uint64_t seed, int index) {
-  spec::Random random(seed ^ spec::text_hash("raw_planes." + std::to_string(index)));
-  const spec::Design& d = c.design;
-  InterpZtestCase inputs;
-  inputs.name = "raw_planes." + std::to_string(index);
-  inputs.frame.width = inputs.frame.height = 2 << d.tile_log2;
-  inputs.frame.depth = static_cast<spec::DepthFunc>(index % 9);
-  for (uint32_t i = 0; i < 12; ++i) {
-    spec::Stamp stamp;
-    stamp.id = i;
-    stamp.x = static_cast<int>(random.between(0, (2 << d.tile_log2 >> d.stamp_width_log2) - 1));
-    stamp.y = static_cast<int>(random.between(0, (2 << d.tile_log2 >> d.stamp_height_log2) - 1));
-    stamp.mask = static_cast<uint32_t>(random.between(1, (int64_t{1} << c.width.lanes) - 1));
-    stamp.planes.z = raw_plane(random, c.width.depth_tile_plane);
-    stamp.planes.z_bias = spec::wrap(static_cast<int64_t>(random.bits()), c.width.depth_bias);
-    for (size_t a = 0; a < static_cast<size_t>(d.attributes); ++a) {
-      stamp.planes.attr[a] = raw_plane(random, c.width.attr_tile_plane);
-    }
-    inputs.in.push_back(stamp);
-  }
-  return run_model(c, inputs);
-}
-
-// SetupPrims whose edges bound no triangle: each falls any way, and passes near the box or at any distance.
-TraversalCase raw_prims(const Contract& c, uint64_t seed, int index) {
-  const spec::Design& d = c.design;
-  TraversalCase inputs;
-  inputs.name = "raw_edges." + std::to_string(index);
-  spec::Random random(seed ^ spec::text_hash(inputs.name));
-  const int side = std::min(4 << d.tile_log2, 1 << d.guard_bits);
-  inputs.frame.width = inputs.frame.height = side;
-  const auto sorted = [&](int* low, int* high) {
-    *low = static_cast<int>(random.between(0, side - 1));
-    *high = static_cast<int>(random.between(*low, side - 1));
-  };
-  const auto of_any_length = [&](int bits) {
-    const int64_t greatest = (int64_t{1} << random.between(0, bits)) - 1;
-    return random.between(-greatest, greatest);
-  };
-  for (uint32_t i = 0; i < 4; ++i) {
-    spec::SetupPrim prim;
-    prim.id = i;
-    sorted(&prim.x0, &prim.x1);
-    sorted(&prim.y0, &prim.y1);
-    for (spec::EdgeFunction& edge : prim.edge) {
-      edge.a = of_any_length(c.width.edge_coeff - 1);
-      edge.b = of_any_length(c.width.edge_coeff - 1);
-      const int64_t x = random.between(0, side - 1), y = random.between(0, side - 1);
-      const int64_t near = of_any_length(8) - edge.a * x - edge.b * y;
-      const int64_t room = side * (std::abs(edge.a) + std::abs(edge.b));
-      const int64_t farthest = (int64_t{1} << (c.width.edge - 1)) - 1 - room;
-      const int64_t anywhere = of_any_length(c.width.edge - 1);
-      edge.e = random.between(0, 3) == 0 ? std::clamp(anywhere, -farthest, farthest) : near;
-    }
-    prim.planes.z = raw_plane(random, c.width.depth_plane);
-    prim.planes.z_bias = spec::wrap(static_cast<int64_t>(random.bits()), c.width.depth_bias);
-    for (size_t a = 0; a < static_cast<size_t>(d.attributes); ++a) {
-      prim.planes.attr[a] = raw_plane(random, c.width.attr_plane);
-    }
-    spec::PerspectiveSet& p = prim.planes.perspective;
-    for (size_t k = 0; k < 3 && d.perspective; ++k) {
-      p.e_low[k] = static_cast<int32_t>(random.between(0, (1 << d.subpixel_bits) - 1));
-      p.inverse_w[k] = static_cast<int32_t>(
-          random.between(1 << (d.inverse_w_bits - 1), (1 << d.inverse_w_bits) - 1));
-      p.inverse_w_shift[k] =
-          static_cast<int32_t>(random.between(0, (1 << spec::kInverseWShiftBits) - 1));
-      for (size_t a = 0; a < static_cast<size_t>(d.attributes); ++a) {
-        p.attr[k][a] = static_cast<int32_t>(random.between(0, (1 << d.attribute_bits) - 1));
-      }
-    }
-    inputs.in.push_back(prim);
-  }
-  return run_model(c, inputs);
-}
-
 template <class Case>
 void for_each_raw(const Contract& contract, const Request& request,
                   const std::function<void(const Case&)>& visit) {
   const int times = request.level == 1 ? 1 : 8;
   if constexpr (std::is_same_v<Case, InterpZtestCase>) {
-    // These stamps have no edges, hence no weights for perspective.
-    if (contract.design.perspective) return;
-    for (int i = 0; i < 8 * times; ++i) visit(raw_stamps(contract, request.seed, i));
+    if (contract.design.perspective) {
+      const int cases = request.level == 1 ? 12 : 1200;  // the lowest bits of a product are seldom seen
+      for (int i = 0; i < cases; ++i) visit(raw_weights(contract, request.seed, i));
+    } else {
+      for (int i = 0; i < 8 * times; ++i) visit(raw_stamps(contract, request.seed, i));
+    }
   } else if constexpr (std::is_same_v<Case, TraversalCase>) {
     for (int i = 0; i < 24 * times; ++i) visit(raw_prims(contract, request.seed, i));
   }
