@@ -47,7 +47,7 @@ inline constexpr auto kMeasures = spec::values_of<Measure>();
 struct StudyScene {
   std::string name;
   std::string content;  // a text that changes with what is drawn
-  /// With `multi_pass` it can be rewound. Errors   scene::InputError.
+  /// With `multi_pass` it can be rewound. Throws scene::InputError.
   std::function<scene::Scene(const spec::Contract&, bool multi_pass)> open;
 };
 

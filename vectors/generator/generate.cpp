@@ -93,7 +93,8 @@ void for_each_raw(const Contract& contract, const Request& request,
   const int times = request.level == 1 ? 1 : 8;
   if constexpr (std::is_same_v<Case, InterpZtestCase>) {
     if (contract.design.perspective) {
-      const int cases = request.level == 1 ? 12 : 1200;  // the lowest bits of a product are seldom seen
+      const int cases =
+          request.level == 1 ? 12 : 1200;  // the lowest bits of a product are seldom seen
       for (int i = 0; i < cases; ++i) visit(raw_weights(contract, request.seed, i));
     } else {
       for (int i = 0; i < 8 * times; ++i) visit(raw_stamps(contract, request.seed, i));
