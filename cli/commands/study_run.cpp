@@ -149,12 +149,10 @@ int run(const RunOptions& options) {
   const std::string path =
       options.results.empty() ? fs::path(options.study).filename().replace_extension(".db").string()
                               : options.results;
-  const bool is_new = !fs::exists(path);
   studies::Results results(path, true);
-  size_t committed = 0;
-  if (const std::string csv = committed_rows(options.study); is_new && !csv.empty()) {
-    committed = results.add(studies::read_csv(csv));
-    output.say(fmt::format("{} rows read from {}", grouped(committed), csv));
+  if (const std::string csv = committed_rows(options.study); !csv.empty()) {
+    const size_t read = results.add(studies::read_csv(csv));
+    if (read > 0) output.say(fmt::format("{} rows read from {}", grouped(read), csv));
   }
 
   if (options.slurm > 0) {
@@ -187,17 +185,21 @@ int run(const RunOptions& options) {
   progress.clear();
 
   const auto rows = studies::rows_of(file.study, results.rows());
-  print_rows(output, rows);
   const auto throughputs = studies::throughputs(rows);
-  print_throughputs(output, throughputs);
-  if (!rows.empty()) output.line("");
+  constexpr size_t kMostRows = 200;
+  if (rows.size() <= kMostRows) {
+    print_rows(output, rows);
+    print_throughputs(output, throughputs);
+    if (!rows.empty()) output.line("");
+  }
   output.row("Study", fmt::format("{}: {} designs, {} scenes", file.study.name,
                                   file.study.designs.size(), file.study.scenes.size()));
-  output.row("Results",
-             fmt::format("{} of {} are in {}", grouped(rows.size()), grouped(report.rows), path));
-  output.row("New", report.added > 0
-                        ? fmt::format("{} in {:.1f} s", grouped(report.added), seconds.count())
-                        : "nothing to do");
+  output.row("Results", fmt::format("{} of {} are in {}{}", grouped(report.there + report.added),
+                                    grouped(report.rows), path,
+                                    rows.size() > kMostRows ? ": see study report and export" : ""));
+  output.row("New", report.there == report.rows
+                        ? "nothing to do"
+                        : fmt::format("{} in {:.1f} s", grouped(report.added), seconds.count()));
   if (file.left_out > 0) {
     output.warn(fmt::format("{}: {} combinations cannot be built and are left out; the first: {}",
                             options.study, file.left_out, file.reason));
@@ -387,7 +389,7 @@ void add_run_study(CLI::App* study, int* exit_code) {
   command
       ->add_option(
           "-r,--results", options->results,
-          "Where results are kept; STUDY.db unless given. A new file starts with STUDY.csv's rows")
+          "Where results are kept; STUDY.db unless given. Rows of STUDY.csv are added first")
       ->type_name("FILE.db");
   command
       ->add_option("-j,--jobs", options->jobs,
