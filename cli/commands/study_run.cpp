@@ -194,9 +194,10 @@ int run(const RunOptions& options) {
   }
   output.row("Study", fmt::format("{}: {} designs, {} scenes", file.study.name,
                                   file.study.designs.size(), file.study.scenes.size()));
-  output.row("Results", fmt::format("{} of {} are in {}{}", grouped(report.there + report.added),
-                                    grouped(report.rows), path,
-                                    rows.size() > kMostRows ? ": see study report and export" : ""));
+  output.row("Results",
+             fmt::format("{} of {} are in {}{}", grouped(report.there + report.added),
+                         grouped(report.rows), path,
+                         rows.size() > kMostRows ? ": see study report and export" : ""));
   output.row("New", report.there == report.rows
                         ? "nothing to do"
                         : fmt::format("{} in {:.1f} s", grouped(report.added), seconds.count()));
