@@ -158,10 +158,11 @@ void PinedaBench::start(const PinedaBenchFrame& frame) {
   frame_ = frame;
   const auto samples = static_cast<size_t>(frame.width) * static_cast<size_t>(frame.height);
   std::fill_n(frame.color, samples * kChannels, uint16_t{0});
-#ifndef PINEDA_DEPTH
+#ifdef PINEDA_DEPTH
+  due_.assign(static_cast<size_t>(package::INFLIGHT_STAMPS), Response{});
+#else
   std::fill_n(frame.depth, samples, uint32_t{0xffffff});
 #endif
-  due_.assign(static_cast<size_t>(package::INFLIGHT_STAMPS), Response{});
   set(&top_->frame_i, frame.state);
   top_->frame_valid_i = 1;
 }
@@ -188,7 +189,7 @@ uint64_t PinedaBench::draw(Outside outside) {
   const uint32_t* triangle = frame_.triangles;
   const uint32_t* const end = triangle + frame_.count * kTriangleWords;
   bool offered = false;            // the triangle, or the end
-  size_t asked = 0, answered = 0;  // reads
+  [[maybe_unused]] size_t asked = 0, answered = 0;  // reads
   uint64_t last_write = 0;         // the cycle after the last write; the clear counts as one
   uint64_t last_event = 0;
   ready(~uint32_t{0});
