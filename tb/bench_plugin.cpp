@@ -188,9 +188,9 @@ uint64_t PinedaBench::draw(Outside outside) {
   constexpr size_t kTriangleWords = (package::TRIANGLE_BITS + 31) / 32;
   const uint32_t* triangle = frame_.triangles;
   const uint32_t* const end = triangle + frame_.count * kTriangleWords;
-  bool offered = false;            // the triangle, or the end
+  bool offered = false;                             // the triangle, or the end
   [[maybe_unused]] size_t asked = 0, answered = 0;  // reads
-  uint64_t last_write = 0;         // the cycle after the last write; the clear counts as one
+  uint64_t last_write = 0;  // the cycle after the last write; the clear counts as one
   uint64_t last_event = 0;
   ready(~uint32_t{0});
   for (uint64_t cycle = 0;; ++cycle) {
