@@ -142,6 +142,65 @@ std::string time_left(double seconds_so_far, size_t done, size_t of) {
   return fmt::format("{} of {} results, about {}:{:02} left", done, of, seconds / 60, seconds % 60);
 }
 
+void run_on_slurm(const RunOptions& options, const studies::Study& study, const std::string& path,
+                  const Output& output, studies::Results* results) {
+  studies::SlurmOptions slurm;
+  slurm.shards = static_cast<size_t>(options.slurm);
+  slurm.program = fs::read_symlink("/proc/self/exe").string();
+  slurm.study = fs::absolute(options.study).string();
+  slurm.folder = fs::absolute(fs::path(path).replace_extension(".slurm")).string();
+  slurm.sbatch = options.sbatch;
+  slurm.say = [&](const std::string& text) { output.say(text); };
+  studies::run_on_slurm(
+      slurm, [&] { return studies::is_whole(study, *results); }, results);
+}
+
+void say_what_is_there(const RunOptions& options, const StudyFile& file,
+                       const studies::Results& results, const studies::RunReport& report,
+                       double seconds, const Output& output) {
+  const auto rows = studies::rows_of(file.study, results.rows());
+  const auto throughputs = studies::throughputs(rows);
+  constexpr size_t kMostRows = 200;
+  if (rows.size() <= kMostRows) {
+    print_rows(output, rows);
+    print_throughputs(output, throughputs);
+    if (!rows.empty()) output.line("");
+  }
+  output.row("Study", fmt::format("{}: {} designs, {} scenes", file.study.name,
+                                  file.study.designs.size(), file.study.scenes.size()));
+  output.row("Results",
+             fmt::format("{} of {} are in {}{}", grouped(report.there + report.added),
+                         grouped(report.rows), results.file(),
+                         rows.size() > kMostRows ? ": see study report and export" : ""));
+  output.row("New", report.there == report.rows
+                        ? "nothing to do"
+                        : fmt::format("{} in {:.1f} s", grouped(report.added), seconds));
+  if (file.left_out > 0) {
+    output.warn(fmt::format("{}: {} combinations cannot be built and are left out; the first: {}",
+                            options.study, file.left_out, file.reason));
+  }
+  for (const studies::Failure& failure : report.failures) {
+    output.warn(fmt::format("{}: {}", failure.what, failure.why));
+  }
+  Json json{{"study", file.study.name},
+            {"results", results.file()},
+            {"designs", file.study.designs.size()},
+            {"scenes", file.study.scenes.size()},
+            {"left_out", file.left_out},
+            {"rows", report.rows},
+            {"there", report.there},
+            {"added", report.added},
+            {"failed", report.failures.size()},
+            {"seconds", seconds}};
+  for (const studies::Failure& failure : report.failures) {
+    json["failures"].push_back({{"what", failure.what}, {"why", failure.why}});
+  }
+  json["values"] = rows_json(rows);
+  json["throughput"] = Json::array();
+  for (const studies::Throughput& t : throughputs) json["throughput"].push_back(throughput_json(t));
+  output.json(json);
+}
+
 int run(const RunOptions& options) {
   const Output output(options);
   Progress progress(options);
@@ -155,17 +214,7 @@ int run(const RunOptions& options) {
     if (read > 0) output.say(fmt::format("{} rows read from {}", grouped(read), csv));
   }
 
-  if (options.slurm > 0) {
-    studies::SlurmOptions slurm;
-    slurm.shards = static_cast<size_t>(options.slurm);
-    slurm.program = fs::read_symlink("/proc/self/exe").string();
-    slurm.study = fs::absolute(options.study).string();
-    slurm.folder = fs::absolute(fs::path(path).replace_extension(".slurm")).string();
-    slurm.sbatch = options.sbatch;
-    slurm.say = [&](const std::string& text) { output.say(text); };
-    studies::run_on_slurm(
-        slurm, [&] { return studies::is_whole(file.study, results); }, &results);
-  }
+  if (options.slurm > 0) run_on_slurm(options, file.study, path, output, &results);
   studies::RunOptions run;
   run.shard = shard_of(options.shard);
   run.jobs = options.jobs > 0 ? static_cast<size_t>(options.jobs)
@@ -184,47 +233,7 @@ int run(const RunOptions& options) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   progress.clear();
 
-  const auto rows = studies::rows_of(file.study, results.rows());
-  const auto throughputs = studies::throughputs(rows);
-  constexpr size_t kMostRows = 200;
-  if (rows.size() <= kMostRows) {
-    print_rows(output, rows);
-    print_throughputs(output, throughputs);
-    if (!rows.empty()) output.line("");
-  }
-  output.row("Study", fmt::format("{}: {} designs, {} scenes", file.study.name,
-                                  file.study.designs.size(), file.study.scenes.size()));
-  output.row("Results",
-             fmt::format("{} of {} are in {}{}", grouped(report.there + report.added),
-                         grouped(report.rows), path,
-                         rows.size() > kMostRows ? ": see study report and export" : ""));
-  output.row("New", report.there == report.rows
-                        ? "nothing to do"
-                        : fmt::format("{} in {:.1f} s", grouped(report.added), seconds.count()));
-  if (file.left_out > 0) {
-    output.warn(fmt::format("{}: {} combinations cannot be built and are left out; the first: {}",
-                            options.study, file.left_out, file.reason));
-  }
-  for (const studies::Failure& failure : report.failures) {
-    output.warn(fmt::format("{}: {}", failure.what, failure.why));
-  }
-  Json json{{"study", file.study.name},
-            {"results", path},
-            {"designs", file.study.designs.size()},
-            {"scenes", file.study.scenes.size()},
-            {"left_out", file.left_out},
-            {"rows", report.rows},
-            {"there", report.there},
-            {"added", report.added},
-            {"failed", report.failures.size()},
-            {"seconds", seconds.count()}};
-  for (const studies::Failure& failure : report.failures) {
-    json["failures"].push_back({{"what", failure.what}, {"why", failure.why}});
-  }
-  json["values"] = rows_json(rows);
-  json["throughput"] = Json::array();
-  for (const studies::Throughput& t : throughputs) json["throughput"].push_back(throughput_json(t));
-  output.json(json);
+  say_what_is_there(options, file, results, report, seconds.count(), output);
   return report.failures.empty() ? kHolds : kMismatch;
 }
 
@@ -378,7 +387,9 @@ int compare(const CompareOptions& options) {
 
 }  // namespace
 
-void add_run_study(CLI::App* study, int* exit_code) {
+namespace {
+
+void add_run(CLI::App* study, int* exit_code) {
   auto options = std::make_shared<RunOptions>();
   auto* command = study->add_subcommand(
       "run", "Scenes x designs x memories x measures: what is missing of a study");
@@ -409,7 +420,9 @@ void add_run_study(CLI::App* study, int* exit_code) {
       ->type_name("OPTIONS");
   add_output_options(command, options.get());
   command->callback([options, exit_code] { *exit_code = run(*options); });
+}
 
+void add_report(CLI::App* study, int* exit_code) {
   auto reports = std::make_shared<ReportOptions>();
   auto* reporter =
       study->add_subcommand("report", "A study's results as one page that opens from a file");
@@ -421,7 +434,9 @@ void add_run_study(CLI::App* study, int* exit_code) {
   reporter->add_option("-o,--out", reports->out, "The page")->required()->type_name("FILE.html");
   add_output_options(reporter, reports.get());
   reporter->callback([reports, exit_code] { *exit_code = report(*reports); });
+}
 
+void add_export(CLI::App* study, int* exit_code) {
   auto exports = std::make_shared<ExportOptions>();
   auto* exporter = study->add_subcommand("export", "The results of studies as CSV or JSON");
   exporter->add_option("results", exports->results, "Results")
@@ -431,7 +446,9 @@ void add_run_study(CLI::App* study, int* exit_code) {
   exporter->add_flag("--host-speed", exports->host_speed, "Also rows that depend on the machine");
   add_output_options(exporter, exports.get());
   exporter->callback([exports, exit_code] { *exit_code = export_rows(*exports); });
+}
 
+void add_merge(CLI::App* study, int* exit_code) {
   auto merges = std::make_shared<MergeOptions>();
   auto* merger = study->add_subcommand("merge", "Adds results to others");
   merger->add_option("into", merges->into, "Results; made if they are not there")
@@ -442,7 +459,9 @@ void add_run_study(CLI::App* study, int* exit_code) {
       ->type_name("FILE.db|FILE.csv");
   add_output_options(merger, merges.get());
   merger->callback([merges, exit_code] { *exit_code = merge(*merges); });
+}
 
+void add_compare(CLI::App* study, int* exit_code) {
   auto compares = std::make_shared<CompareOptions>();
   auto* comparer = study->add_subcommand("compare", "What changed between two sets of results");
   comparer->add_option("before", compares->before, "Results")
@@ -458,6 +477,13 @@ void add_run_study(CLI::App* study, int* exit_code) {
                      "Exit 1 if a figure differs by more, or a row is missing");
   add_output_options(comparer, compares.get());
   comparer->callback([compares, exit_code] { *exit_code = compare(*compares); });
+}
+
+}  // namespace
+
+void add_run_study(CLI::App* study, int* exit_code) {
+  for (const auto add : {add_run, add_report, add_export, add_merge, add_compare})
+    add(study, exit_code);
 }
 
 }  // namespace pineda::cli

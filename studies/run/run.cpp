@@ -110,20 +110,20 @@ bool is_whole(const Study& study, const Results& results) {
   return missing(tasks_of(study), results.keys()).empty();
 }
 
-std::vector<Row> rows_of(const Study& study, const std::vector<Row>& from) {
+std::vector<Row> rows_of(const Study& study, const std::vector<Row>& rows) {
   std::map<std::string, const Row*> there;
-  for (const Row& row : from) there[row.key] = &row;
-  std::vector<Row> rows;
+  for (const Row& row : rows) there[row.key] = &row;
+  std::vector<Row> own;
   for (const Task& task : tasks_of(study)) {
     for (const Row& row : task.rows) {
       const auto found = there.find(row.key);
       if (found == there.end()) continue;
-      rows.push_back(row);
-      rows.back().figures = found->second->figures;
-      rows.back().made_by = found->second->made_by;
+      own.push_back(row);
+      own.back().figures = found->second->figures;
+      own.back().made_by = found->second->made_by;
     }
   }
-  return rows;
+  return own;
 }
 
 }  // namespace pineda::studies
