@@ -61,14 +61,6 @@ std::string shown(const studies::Row& row) {
   return left == 0 ? text : fmt::format("{}, and {} more", text, left);
 }
 
-std::string place_of(const studies::Row& row) {
-  std::string text;
-  for (const std::string& part : {row.scene, row.design, row.memory}) {
-    if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
-  }
-  return text;
-}
-
 void print_rows(const Output& output, const std::vector<studies::Row>& rows) {
   std::string place;
   for (const studies::Row& row : rows) {

@@ -20,6 +20,14 @@ constexpr const char* kTables =
 
 }  // namespace
 
+std::string place_of(const Row& row) {
+  std::string text;
+  for (const std::string& part : {row.scene, row.design, row.memory}) {
+    if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
+  }
+  return text;
+}
+
 /// A prepared statement: bound, then stepped through.
 class Results::Statement {
  public:

@@ -32,6 +32,9 @@ struct Row {
   std::vector<Figure> figures;
 };
 
+/// "bunny, high_tile, ideal": what a row is of.
+std::string place_of(const Row& row);
+
 /// A database of rows. Whatever ends the program, at whatever moment, a row is there whole or not at
 /// all. Several programs may add to one file at once.
 class Results {

@@ -41,14 +41,9 @@ std::vector<Row> rows_of(const std::string& text, std::vector<Row> rows) {
 }
 
 std::string described(const Task& task) {
-  const Row& row = task.rows.front();
-  std::string text;
-  for (const std::string& part : {row.scene, row.design, row.memory}) {
-    if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
-  }
   std::vector<std::string> measures;
   for (const Row& r : task.rows) measures.push_back(r.measure);
-  return fmt::format("{}: {}", text, fmt::join(measures, ", "));
+  return fmt::format("{}: {}", place_of(task.rows.front()), fmt::join(measures, ", "));
 }
 
 }  // namespace

@@ -142,7 +142,6 @@ TEST_F(StudyRun, CommittedRowsServe) {
 TEST_F(StudyRun, KilledAtAnyMomentLosesNothing) {
   write(kSmall);
   json({"--results", "whole.db"});
-  const Scratch elsewhere;
   const std::string results = scratch_.path("killed.db");
   std::mt19937 random(1);
   int killed = 0;
